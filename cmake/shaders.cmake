@@ -1,0 +1,37 @@
+# velarium_shaders(TARGET file...): compiles each `name.stage.glsl` (stage: vert, frag, comp) to SPIR-V for Vulkan 1.3
+# and writes it as a C++ initialiser list to shaders/name.stage.inc, on the target's include path.
+# `file:NAME=DEFINE[,DEFINE]` makes a variant shaders/NAME.inc with those macros.
+function(velarium_shaders target)
+  foreach(entry IN LISTS ARGN)
+    string(REPLACE ":" ";" parts "${entry}")
+    list(GET parts 0 file)
+    get_filename_component(name ${file} NAME)
+    string(REGEX MATCH "\\.(vert|frag|comp)\\.glsl$" stage "${name}")
+    set(stage ${CMAKE_MATCH_1})
+    string(REGEX REPLACE "\\.glsl$" "" out "${name}")
+    set(defines "")
+    list(LENGTH parts count)
+    if(count GREATER 1)
+      list(GET parts 1 variant)
+      string(REPLACE "=" ";" variant "${variant}")
+      list(GET variant 0 out)
+      list(GET variant 1 macros)
+      string(REPLACE "," ";" macros "${macros}")
+      foreach(macro IN LISTS macros)
+        list(APPEND defines "-D${macro}")
+      endforeach()
+    endif()
+    set(source ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+    set(output ${PROJECT_BINARY_DIR}/generated/shaders/${out}.inc)
+    add_custom_command(
+      OUTPUT ${output}
+      COMMAND ${GLSLC} --target-env=vulkan1.3 -O -Werror -mfmt=c -fshader-stage=${stage} ${defines}
+              -I ${PROJECT_SOURCE_DIR}/src -MD -MF ${output}.d -MT ${output} -o ${output} ${source}
+      DEPENDS ${source}
+      DEPFILE ${output}.d
+      COMMENT "glslc ${out}"
+      VERBATIM)
+    target_sources(${target} PRIVATE ${output})
+  endforeach()
+  target_include_directories(${target} PRIVATE ${PROJECT_BINARY_DIR}/generated)
+endfunction()

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <velarium/settings.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace velarium {
+
+// A finished picture: rows from the top, pixels from the left, four channels (red, green, blue, alpha).
+struct Picture {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  // Linear, scene-referred, BT.709 primaries, premultiplied by alpha; before exposure and tone curve.
+  std::vector<float> linear;
+  // Display values (tone-mapped, sRGB-encoded, straight alpha), 16 bits a channel; dithered for `display_bits`.
+  std::vector<std::uint16_t> display;
+  int display_bits = 8;
+
+  // Writes the format that the ending names: .png .jpg .jpeg .webp from `display`, .exr .hdr from `linear`.
+  // The file appears whole or not at all. Throws Error(output_not_written), or Error(usage) for an unknown ending.
+  void save(const std::filesystem::path& file, const Settings& settings = {}) const;
+};
+
+}  // namespace velarium

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace velarium {
+
+namespace scene {
+struct Scene;
+}
+
+struct LoadOptions {
+  bool allow_outside_files = false;  // may a scene name files outside its own folder?
+};
+
+// What `velarium info` tells.
+struct SceneInfo {
+  std::string source;
+  std::string generator;
+  std::uint64_t nodes = 0, meshes = 0, primitives = 0, vertices = 0, triangles = 0, lines = 0, points = 0;
+  std::uint64_t materials = 0, textures = 0, images = 0, texels = 0, skins = 0, morph_targets = 0;
+  struct Animation { std::string name; float duration_s; std::uint64_t channels; };
+  struct Camera { std::string name; std::string kind; };
+  struct Light { std::string name; std::string kind; std::array<float, 3> color; float intensity; };
+  std::vector<Animation> animations;
+  std::vector<Camera> cameras;    // as instanced in the scene, at time 0
+  std::vector<Light> lights;      // as instanced in the scene, at time 0
+  std::array<float, 3> bounds_min{}, bounds_max{};   // metres, world space, at time 0
+  std::vector<std::string> extensions_used, extensions_required, warnings;
+};
+
+// A loaded scene. Immutable, cheap to copy, and may be shared between threads and engines.
+class Scene {
+ public:
+  // A .gltf or .glb file, or "builtin:NAME". Throws Error(input_missing, input_invalid, unsupported).
+  [[nodiscard]] static Scene load(const std::filesystem::path& file, const LoadOptions& options = {});
+  [[nodiscard]] static std::vector<std::string> builtin_names();
+
+  [[nodiscard]] SceneInfo info() const;
+  [[nodiscard]] const scene::Scene& tables() const { return *tables_; }
+
+ private:
+  explicit Scene(std::shared_ptr<const scene::Scene> tables) : tables_(std::move(tables)) {}
+  std::shared_ptr<const scene::Scene> tables_;
+};
+
+}  // namespace velarium

@@ -1,0 +1,12 @@
+#pragma once
+
+// Velarium: glTF scenes in, physically based pictures out. This header is the whole public interface.
+
+#include <velarium/engine.hpp>
+#include <velarium/error.hpp>
+#include <velarium/log.hpp>
+#include <velarium/options.hpp>
+#include <velarium/picture.hpp>
+#include <velarium/scene.hpp>
+#include <velarium/settings.hpp>
+#include <velarium/version.hpp>

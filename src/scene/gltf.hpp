@@ -1,0 +1,29 @@
+#pragma once
+
+// Reader of glTF 2.0 (.gltf, .glb): strict, bounded, safe on files from anywhere.
+
+#include "scene/scene.hpp"
+
+#include <filesystem>
+
+namespace velarium::scene {
+
+struct GltfLimits {                          // checked before anything of that size is allocated
+  std::uint64_t file_bytes = 4ull << 30;     // of one file, and of all buffers together
+  std::uint64_t elements = 1ull << 28;       // of one accessor
+  std::uint64_t image_pixels = 1ull << 28;   // of one image
+  std::uint32_t image_size = 16384;          // width or height
+  std::uint32_t nodes = 1u << 20;
+  std::uint32_t depth = 256;                 // of the node tree, and of JSON
+};
+
+struct GltfOptions {
+  bool allow_outside_files = false;          // may URIs leave the file's folder?
+  GltfLimits limits;
+};
+
+// Throws Error(input_missing), Error(input_invalid) with a JSON pointer and reason,
+// or Error(unsupported) that names the required extensions that are not supported.
+[[nodiscard]] Scene read_gltf(const std::filesystem::path& file, const GltfOptions& options = {});
+
+}  // namespace velarium::scene

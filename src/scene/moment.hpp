@@ -1,0 +1,58 @@
+#pragma once
+
+// The scene at one time: animations sampled, the node tree flattened, skins and morph targets applied.
+
+#include "scene/scene.hpp"
+
+#include <string>
+
+namespace velarium::scene {
+
+struct Instance {
+  std::uint32_t primitive = 0;      // into Scene::primitives
+  std::int32_t deformed = kNone;    // into Moment::deformed where a skin or morph targets move this instance
+  std::uint32_t node = 0;
+  glm::mat4 world_from_object{1.0f};  // identity for skinned instances, whose vertices are in world space
+  bool mirrored = false;            // negative determinant: front faces are clockwise
+  Aabb bounds;                      // world space
+};
+
+struct LightInstance {
+  Light light;
+  glm::vec3 position{0.0f};         // world space, metres
+  glm::vec3 direction{0.0f, 0.0f, -1.0f};  // world space, unit, where the light shines to
+};
+
+struct CameraInstance {
+  Camera camera;                    // its name is the node's where the camera has none
+  glm::mat4 world_from_view{1.0f};  // rigid: scale of the node tree removed
+};
+
+struct Moment {
+  std::vector<Instance> instances;  // in node order
+  std::vector<VertexFrames> deformed;
+  std::vector<LightInstance> lights;
+  std::vector<CameraInstance> cameras;
+  Aabb bounds;                      // world space, of everything drawn; empty where nothing is
+};
+
+// `animation`: a name, an index, "all", or empty for the first. Times outside a sampler clamp to its ends.
+// Throws Error(usage) where no animation has that name, listing those there are.
+[[nodiscard]] Moment moment_at(const Scene& scene, float time_s, const std::string& animation);
+
+// A camera at `eye`. Throws Error(usage) where eye and target coincide or `up` is parallel to the view.
+[[nodiscard]] CameraInstance look_at_camera(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up,
+                                            float vertical_fov_rad);
+
+// A three-quarter view from above, in which `bounds` just fits a picture of this aspect (width / height).
+[[nodiscard]] CameraInstance fitted_camera(const Aabb& bounds, float aspect);
+
+// The camera that `choice` names: a name or index of the scene's, "auto", or empty for the first, else auto.
+// Throws Error(usage) where there is none of that name, listing those there are.
+[[nodiscard]] CameraInstance choose_camera(const Moment& moment, const std::string& choice, float aspect);
+
+// Near plane where the camera names none that suits: see src/scene/cameras.cpp. Reversed-Z, [0,1] depth, +Y down
+// in clip space as Vulkan has it; an infinite far plane for perspective cameras, whatever the file says.
+[[nodiscard]] glm::mat4 clip_from_view(const Camera& camera, float aspect);
+
+}  // namespace velarium::scene
