@@ -21,6 +21,9 @@ struct Picture {
   // Writes the format that the ending names: .png .jpg .jpeg .webp from `display`, .exr .hdr from `linear`.
   // The file appears whole or not at all. Throws Error(output_not_written), or Error(usage) for an unknown ending.
   void save(const std::filesystem::path& file, const Settings& settings = {}) const;
+
+  // Throws what save() would throw for a reason that can be seen beforehand, so that nobody renders for nothing.
+  static void check_destination(const std::filesystem::path& file);
 };
 
 }  // namespace velarium

@@ -4,6 +4,7 @@
 
 #include <velarium/engine.hpp>
 #include <velarium/error.hpp>
+#include <velarium/files.hpp>
 #include <velarium/log.hpp>
 #include <velarium/options.hpp>
 #include <velarium/picture.hpp>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <velarium/files.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -13,9 +15,13 @@ namespace velarium {
 // Error(input_invalid) where it is larger than `max_bytes`.
 [[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& file, std::uint64_t max_bytes);
 
-// Writes under a temporary name in the same folder, then renames; leaves nothing behind on failure or on a
-// termination signal that unwinds. Throws Error(output_not_written) with the system's reason.
+// Writes under a temporary name in the same folder, then renames; leaves nothing behind on failure. A signal that ends
+// the program without unwinding: see remove_unfinished_files(). A symbolic link is followed; a device or a pipe is
+// written in place. Throws Error(output_not_written) with the system's reason.
 void write_file(const std::filesystem::path& file, std::span<const std::byte> data);
+
+// Throws what write_file() would throw for a reason that can be seen beforehand, writing nothing.
+void check_writable(const std::filesystem::path& file);
 
 // $XDG_CACHE_HOME/velarium, else ~/.cache/velarium; empty where neither variable is set.
 // The directory need not exist. Cache users treat every failure as a miss.
