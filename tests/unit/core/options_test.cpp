@@ -1,0 +1,110 @@
+#include <velarium/error.hpp>
+#include <velarium/options.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace velarium {
+namespace {
+
+std::string refusal(std::string_view key, std::string_view value) {
+  Settings settings;
+  try {
+    set_option(settings, key, value);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::usage);
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Options, EveryDefaultReadsBackAsItself) {
+  ASSERT_FALSE(option_table().empty());
+  for (const OptionInfo& option : option_table()) {
+    Settings settings;
+    set_option(settings, option.key, option.default_text);
+    EXPECT_EQ(get_option(settings, option.key), option.default_text) << option.key;
+    EXPECT_EQ(get_option(Settings{}, option.key), option.default_text) << option.key;
+  }
+}
+
+TEST(Options, EveryRowHasUniqueKeyGroupAndHelp) {
+  std::set<std::string_view> keys;
+  for (const OptionInfo& option : option_table()) {
+    EXPECT_TRUE(keys.insert(option.key).second) << option.key;
+    EXPECT_FALSE(option.help.empty()) << option.key;
+    EXPECT_FALSE(option_group_help(option.key.substr(0, option.key.find('.'))).empty()) << option.key;
+  }
+  EXPECT_TRUE(option_group_help("no such group").empty());
+}
+
+TEST(Options, ChoicesAreTheEnumerators) {
+  const auto table = option_table();
+  const auto row = std::find_if(table.begin(), table.end(), [](const auto& o) { return o.key == "display.tonemap"; });
+  ASSERT_NE(row, table.end());
+  EXPECT_EQ(row->type, OptionType::choice);
+  EXPECT_EQ(row->choices, (std::vector<std::string_view>{"neutral", "agx", "aces", "linear"}));
+  Settings settings;
+  set_option(settings, "display.tonemap", "aces");
+  EXPECT_EQ(settings.display.tonemap, Tonemap::aces);
+}
+
+TEST(Options, RangesAreInclusiveAndChecked) {
+  Settings settings;
+  set_option(settings, "frame.spp", "1");
+  set_option(settings, "frame.spp", "65536");
+  EXPECT_EQ(settings.frame.spp, 65536);
+  for (const char* bad : {"0", "65537", "-1", "99999999999", "4.5", "4x", "", " 4", "nan"}) {
+    EXPECT_NE(refusal("frame.spp", bad), "accepted") << bad;
+  }
+  EXPECT_EQ(refusal("frame.spp", "0"), "frame.spp: '0' is not a whole number from 1 to 65536 frames");
+}
+
+TEST(Options, RealsTakeSignsAndExponentsButNoNan) {
+  Settings settings;
+  set_option(settings, "display.exposure", "-2.5");
+  EXPECT_EQ(settings.display.exposure, -2.5f);
+  set_option(settings, "display.exposure", "+1e1");
+  EXPECT_EQ(settings.display.exposure, 10.0f);
+  for (const char* bad : {"nan", "inf", "-inf", "33", "1e99", "1,5", "--1", "++1"}) {
+    EXPECT_NE(refusal("display.exposure", bad), "accepted") << bad;
+  }
+}
+
+TEST(Options, BooleansTakeSixWords) {
+  Settings settings;
+  for (const char* word : {"off", "false", "0"}) {
+    set_option(settings, "lighting.tiled", word);
+    EXPECT_FALSE(settings.lighting.tiled);
+    set_option(settings, "lighting.tiled", "on");
+    EXPECT_TRUE(settings.lighting.tiled);
+  }
+  EXPECT_NE(refusal("lighting.tiled", "yes"), "accepted");
+}
+
+TEST(Options, RefusalsNameTheChoicesAndTheNearestKey) {
+  EXPECT_EQ(refusal("lighting.model", "rise"), "lighting.model: 'rise' is not one of gltf, ryse");
+  EXPECT_EQ(refusal("lighting.modle", "ryse"), "'lighting.modle' is not an option; did you mean lighting.model?");
+  EXPECT_EQ(refusal("tonemap", "agx"), "'tonemap' is not an option; did you mean display.tonemap?");
+  EXPECT_EQ(refusal("zzzzzzzz", "1"), "'zzzzzzzz' is not an option");
+}
+
+TEST(Options, ARefusedValueChangesNothing) {
+  Settings settings;
+  EXPECT_THROW(set_option(settings, "frame.spp", "70000"), Error);
+  EXPECT_EQ(settings.frame.spp, Settings{}.frame.spp);
+}
+
+TEST(NearestName, FindsSwapsAndSlipsOnly) {
+  const std::vector<std::string> known{"--exposure", "--env", "--size"};
+  EXPECT_EQ(nearest_name("--exposrue", known), "--exposure");
+  EXPECT_EQ(nearest_name("--EXPOSURE", known), "--exposure");
+  EXPECT_EQ(nearest_name("--sizes", known), "--size");
+  EXPECT_EQ(nearest_name("--completely-other", known), "");
+  EXPECT_EQ(nearest_name("", known), "");
+}
+
+}  // namespace
+}  // namespace velarium
