@@ -1,0 +1,62 @@
+#ifndef VEL_SHADING_BRDF_GLSL
+#define VEL_SHADING_BRDF_GLSL
+
+#include "shading/color.glsl"
+#include "shading/constants.glsl"
+#include "shading/diffuse.glsl"
+#include "shading/lang.glsl"
+#include "shading/microfacet.glsl"
+#include "shading/surface.glsl"
+
+// Share of the light that is left for diffuse reflection. glTF: 1 - the largest channel of what the interface reflects
+// (appendix B.3.4 and KHR_materials_specular, so that a tint does not colour the diffuse part by its complement).
+// Ryse: 1 - luminance of f0.
+FN float diffuse_share(vec3 f0, vec3 reflected, uint model) {
+  float taken = model == kModelRyse ? luminance(f0) : max_component(reflected);
+  return clamp(1.0f - taken, 0.0f, 1.0f);
+}
+
+// f_r(wo, wi) n.wi, per steradian: times radiance from wi, integrated over solid angle, it gives radiance towards wo.
+// For a punctual light multiply by its irradiance on a plane facing it. 0 where wi is not above the surface.
+// wo, wi: unit. alpha: the width to shade with, which may exceed that of s.smoothness (kMinAlphaPunctual).
+// specular_scale: energy_compensation(), or 1.
+FN vec3 evaluate_brdf(IN(Surface) s, float alpha, vec3 wo, vec3 wi, vec3 specular_scale, uint model) {
+  float n_dot_l = dot(s.normal_ws, wi);
+  if (n_dot_l <= 0.0f) return vec3(0.0f);
+  // Interpolated and mapped normals may turn away from the eye.
+  float n_dot_v = abs(dot(s.normal_ws, wo)) + 1e-5f;
+  vec3 sum = wo + wi;
+  vec3 h = sum * inversesqrt(max(dot(sum, sum), 1e-12f));
+  vec3 n_cross_h = cross(s.normal_ws, h);
+
+  vec3 fresnel = fresnel_schlick(s.f0, f90_from_f0(s.f0), clamp(dot(wo, h), 0.0f, 1.0f));
+  float d = d_ggx_from_sin2(min(dot(n_cross_h, n_cross_h), 1.0f), alpha);
+  vec3 specular = fresnel * specular_scale * (d * visibility(model, n_dot_l, n_dot_v, alpha));
+
+  float bracket = diffuse(model, n_dot_l, n_dot_v, dot(wo, wi), alpha);
+  vec3 diffused = s.albedo * (kInvPi * bracket * diffuse_share(s.f0, fresnel, model));
+  return (diffused + specular) * n_dot_l;
+}
+
+// env_brdf: (E0, E1), directional albedo of the specular lobe for f0 = 0 and f0 = 1 (with f90 = 1), read from the table
+// of src/bake at (n.v, smoothness) [Lazarov 2013; Karis 2013].
+
+// What single-scattering microfacets lose to bounces between facets, given back [Turquin 2019, eq. 16]:
+// 1 + f0 (1 / E1 - 1). For the glTF model alone: it would undo Ryse's darkening.
+FN vec3 energy_compensation(vec3 f0, vec2 env_brdf) {
+  require(env_brdf.y > 0.0f);
+  return vec3(1.0f) + f0 * (1.0f / env_brdf.y - 1.0f);
+}
+
+// Specular albedo towards the eye under uniform light: the integral of D Vis (f0 + (f90 - f0) (1 - v.h)^5) n.l.
+FN vec3 environment_specular(vec3 f0, float f90, vec2 env_brdf) {
+  return f0 * (env_brdf.y - env_brdf.x) + vec3(f90 * env_brdf.x);
+}
+
+// What multiplies albedo times mean radiance. specular_response: environment_specular() with its compensation.
+// In the glTF model a dielectric of albedo 1 then returns all of a uniform light: the white furnace closes.
+FN float environment_diffuse_weight(vec3 f0, vec3 specular_response, uint model) {
+  return diffuse_share(f0, specular_response, model);
+}
+
+#endif

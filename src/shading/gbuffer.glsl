@@ -1,0 +1,52 @@
+// Three RGBA8 targets [Schulz 2014, Ryse]; beside them depth, and the material class in the stencil:
+//
+//   RT0  UNORM  rgb  best-fit normal                a  occlusion, or Y of transmittance (kClassTransmittance)
+//   RT1  SRGB   rgb  diffuse albedo                 a  0
+//   RT2  UNORM  r    smoothness   g  Y of f0        ba Cb, Cr of f0, or of transmittance (kClassTransmittance)
+//
+// Luma apart from chroma, and chroma split over blue and alpha, let a decal blend rgb while alpha is its weight.
+#ifndef VEL_SHADING_GBUFFER_GLSL
+#define VEL_SHADING_GBUFFER_GLSL
+
+#include "shading/lang.glsl"
+#include "shading/normal_encoding.glsl"
+#include "shading/specular_encoding.glsl"
+#include "shading/surface.glsl"
+
+// Values before the target's conversion to codes, and after its conversion back. rt1 is linear: its format is sRGB.
+struct GBufferTexel {
+  vec4 rt0, rt1, rt2;
+};
+
+// bfn_table_value: the best-fit length read at bfn_table_uv(s.normal_ws).
+FN GBufferTexel gbuffer_encode(IN(Surface) s, float bfn_table_value) {
+  vec3 normal = bfn_encode(s.normal_ws, bfn_table_value);
+  vec3 specular = specular_encode(s.f0);
+  bool transmits = s.material_class == kClassTransmittance;
+  vec2 chroma =
+      transmits ? clamp(s.transmittance_chroma + vec2(kChromaBias), 0.0f, 1.0f) : vec2(specular.y, specular.z);
+  GBufferTexel t;
+  t.rt0 = vec4(normal, transmits ? s.transmittance_luma : s.occlusion);
+  t.rt1 = vec4(s.albedo, 0.0f);
+  t.rt2 = vec4(s.smoothness, specular.x, chroma.x, chroma.y);
+  return t;
+}
+
+// A transmitting surface comes back with grey f0 and occlusion 1, every other one with transmittance 0.
+FN Surface gbuffer_decode(IN(GBufferTexel) t, uint material_class) {
+  bool transmits = material_class == kClassTransmittance;
+  vec2 chroma = vec2(t.rt2.z, t.rt2.w);
+  vec2 specular_chroma = transmits ? vec2(kChromaBias) : chroma;
+  Surface s;
+  s.normal_ws = bfn_decode(vec3(t.rt0.x, t.rt0.y, t.rt0.z));
+  s.albedo = vec3(t.rt1.x, t.rt1.y, t.rt1.z);
+  s.f0 = specular_decode(vec3(t.rt2.y, specular_chroma.x, specular_chroma.y));
+  s.smoothness = t.rt2.x;
+  s.occlusion = transmits ? 1.0f : t.rt0.w;
+  s.transmittance_luma = transmits ? t.rt0.w : 0.0f;
+  s.transmittance_chroma = transmits ? chroma - vec2(kChromaBias) : vec2(0.0f);
+  s.material_class = material_class;
+  return s;
+}
+
+#endif

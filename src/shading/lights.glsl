@@ -1,0 +1,65 @@
+#ifndef VEL_SHADING_LIGHTS_GLSL
+#define VEL_SHADING_LIGHTS_GLSL
+
+#include "shading/attenuation.glsl"
+#include "shading/lang.glsl"
+
+// GpuLight::direction.w
+const float kLightDirectional = 0.0f;
+const float kLightPoint = 1.0f;
+const float kLightSpot = 2.0f;
+
+// The radius of a light without an end: beyond every scene, yet its square is finite in fp32.
+const float kUnboundedRadius = 1e18f;
+
+// A punctual light of KHR_lights_punctual.
+struct GpuLight {
+  vec4 position_range;  // xyz: world axes, metres, relative to the eye; w: range in metres, 0 without end
+  vec4 direction;       // xyz: unit, where the light shines to (directional, spot); w: kLightDirectional, ...
+  vec4 color;           // rgb: colour times intensity, lux (directional) or candela; w: unused, 0
+  vec4 cone;            // spot: xy: spot_scale_offset(), z: cosine of the outer angle; w: unused, 0
+};
+CHECK_LAYOUT(GpuLight, position_range, 0);
+CHECK_LAYOUT(GpuLight, direction, 16);
+CHECK_LAYOUT(GpuLight, color, 32);
+CHECK_LAYOUT(GpuLight, cone, 48);
+
+struct LightSample {
+  vec3 wi;          // unit, from the point towards the light
+  vec3 irradiance;  // lux on a plane that faces the light
+};
+
+FN bool is_directional(IN(GpuLight) l) {
+  return l.direction.w < 0.5f * kLightPoint;
+}
+
+FN bool is_spot(IN(GpuLight) l) {
+  return l.direction.w > 0.5f * (kLightPoint + kLightSpot);
+}
+
+// The light that arrives at `position` (world axes, relative to the eye), shadows aside.
+FN LightSample sample_light(IN(GpuLight) l, vec3 position) {
+  vec3 axis = vec3(l.direction.x, l.direction.y, l.direction.z);
+  vec3 color = vec3(l.color.x, l.color.y, l.color.z);
+  LightSample result;
+  if (is_directional(l)) {
+    result.wi = -axis;
+    result.irradiance = color;
+    return result;
+  }
+  vec3 to_light = vec3(l.position_range.x, l.position_range.y, l.position_range.z) - position;
+  float distance = length(to_light);
+  // At the light itself every direction is as good.
+  result.wi = distance > 0.0f ? to_light / distance : vec3(0.0f, 1.0f, 0.0f);
+  float attenuation = range_attenuation(distance, l.position_range.w);
+  if (is_spot(l)) attenuation *= spot_attenuation(-dot(axis, result.wi), vec2(l.cone.x, l.cone.y));
+  result.irradiance = color * attenuation;
+  return result;
+}
+
+// The distance at and beyond which the light gives exactly nothing; kUnboundedRadius where there is none.
+FN float light_cull_radius(IN(GpuLight) l) {
+  return is_directional(l) || l.position_range.w == 0.0f ? kUnboundedRadius : l.position_range.w;
+}
+
+#endif
