@@ -1,0 +1,51 @@
+#pragma once
+
+#include "gpu/buffer.hpp"
+#include "gpu/pipeline.hpp"
+
+#include <variant>
+#include <vector>
+
+namespace velarium::gpu {
+
+// What one descriptor set binds, by binding number. A value: it names resources and owns none.
+class Bindings {
+ public:
+  Bindings& sampled(std::uint32_t binding, VkImageView view, VkSampler sampler,
+                    VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  Bindings& storage(std::uint32_t binding, VkImageView view);
+  Bindings& buffer(std::uint32_t binding, const Buffer& buffer);
+
+  struct Entry {
+    std::uint32_t binding;
+    std::variant<VkDescriptorImageInfo, VkDescriptorBufferInfo> info;
+  };
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+
+ private:
+  std::vector<Entry> entries_;
+};
+
+// Hands out descriptor sets, all taken back at once by reset() or the end. Grows by whole pools.
+class DescriptorAllocator {
+ public:
+  explicit DescriptorAllocator(Device& device) : device_(device) {}
+  ~DescriptorAllocator();
+  DescriptorAllocator(const DescriptorAllocator&) = delete;
+  DescriptorAllocator& operator=(const DescriptorAllocator&) = delete;
+
+  // Bindings that the pipeline's shaders do not use are left out.
+  // Precondition: every binding that they do use is given.
+  [[nodiscard]] VkDescriptorSet make(const Pipeline& pipeline, std::uint32_t set, const Bindings& bindings);
+  void reset();
+
+ private:
+  [[nodiscard]] VkDescriptorSet allocate(VkDescriptorSetLayout layout);
+  void add_pool();
+
+  Device& device_;
+  std::vector<VkDescriptorPool> pools_;
+  std::size_t current_ = 0;
+};
+
+}  // namespace velarium::gpu

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "gpu/instance.hpp"
+#include "gpu/memory.hpp"
+#include "gpu/vulkan.hpp"
+
+#include <memory>
+#include <string>
+
+namespace velarium::gpu {
+
+// What this device can do beyond what is required. The one place that optional features are asked at.
+struct Capabilities {
+  float max_anisotropy = 1.0f;       // 1: none
+  std::uint32_t max_image_size = 0;  // width and height of 2-D images and of what is drawn to, pixels
+  double timestamp_ns = 0.0;         // nanoseconds a tick; 0: no timestamps
+  bool host_is_device = false;       // a CPU driver: all memory is the host's
+};
+
+// A logical device with its one queue. Not thread-safe.
+class Device {
+ public:
+  // `choice`: see EngineOptions::device. Throws Error(no_device) that says for each device why it was refused.
+  Device(const std::string& choice, bool validation);
+  ~Device();
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  [[nodiscard]] VkDevice vk() const { return device_; }
+  [[nodiscard]] VkPhysicalDevice physical() const { return physical_; }
+  [[nodiscard]] const DeviceInfo& info() const { return info_; }
+  [[nodiscard]] const Capabilities& caps() const { return caps_; }
+  [[nodiscard]] MemoryAllocator& memory() { return *memory_; }
+  [[nodiscard]] VkPipelineCache pipeline_cache() const { return pipeline_cache_; }
+  [[nodiscard]] bool has_labels() const { return instance_->has_debug_utils(); }
+
+  // A command buffer that is recording, for one submission.
+  [[nodiscard]] VkCommandBuffer begin();
+  // Ends, submits, and waits until the device has finished. Throws Error(temporary), and Error(internal) with the
+  // text of what the validation layers said.
+  void submit_and_wait(VkCommandBuffer commands);
+  void refuse_validation_messages();
+
+ private:
+  void create_device();
+  void read_capabilities();
+  void load_pipeline_cache();
+  void save_pipeline_cache() noexcept;
+  [[nodiscard]] std::string pipeline_cache_name() const;
+
+  std::unique_ptr<Instance> instance_;
+  VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+  DeviceInfo info_;
+  Capabilities caps_;
+  std::uint32_t queue_family_ = 0;
+  VkDevice device_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  VkCommandPool pool_ = VK_NULL_HANDLE;
+  VkFence fence_ = VK_NULL_HANDLE;
+  VkPipelineCache pipeline_cache_ = VK_NULL_HANDLE;
+  std::size_t loaded_cache_bytes_ = 0;
+  std::unique_ptr<MemoryAllocator> memory_;
+};
+
+}  // namespace velarium::gpu

@@ -1,0 +1,107 @@
+#include "gpu/image.hpp"
+
+#include "gpu/check.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+namespace velarium::gpu {
+
+std::uint32_t full_mip_count(std::uint32_t width, std::uint32_t height) {
+  return static_cast<std::uint32_t>(std::bit_width(std::max(width, height)));
+}
+
+bool has_depth(VkFormat format) {
+  return format == VK_FORMAT_D32_SFLOAT || format == VK_FORMAT_D32_SFLOAT_S8_UINT || format == VK_FORMAT_D16_UNORM;
+}
+
+bool has_stencil(VkFormat format) { return format == VK_FORMAT_D32_SFLOAT_S8_UINT; }
+
+VkImageAspectFlags aspects(VkFormat format) {
+  VkImageAspectFlags flags = has_depth(format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+  if (has_stencil(format)) flags |= VK_IMAGE_ASPECT_STENCIL_BIT;
+  return flags;
+}
+
+Image::Image(Device& device, const ImageDesc& desc, VkImageUsageFlags usage)
+    : device_(&device), desc_(desc), usage_(usage) {
+  const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                               .flags = desc.cube ? VkImageCreateFlags{VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT} : 0u,
+                               .imageType = VK_IMAGE_TYPE_2D,
+                               .format = desc.format,
+                               .extent = {desc.width, desc.height, 1},
+                               .mipLevels = desc.mips,
+                               .arrayLayers = desc.layers,
+                               .samples = VK_SAMPLE_COUNT_1_BIT,
+                               .tiling = VK_IMAGE_TILING_OPTIMAL,
+                               .usage = usage};
+  check(vkCreateImage(device.vk(), &info, nullptr, &image_), "vkCreateImage");
+  VkMemoryRequirements needs{};
+  vkGetImageMemoryRequirements(device.vk(), image_, &needs);
+  allocation_ = device.memory().allocate(needs, MemoryUse::device, false);
+  check(vkBindImageMemory(device.vk(), image_, allocation_.memory, allocation_.offset), "vkBindImageMemory");
+
+  const VkImageViewType type = desc.cube         ? VK_IMAGE_VIEW_TYPE_CUBE
+                               : desc.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY
+                                                 : VK_IMAGE_VIEW_TYPE_2D;
+  view_ = make_view(type, aspects(desc.format), 0, desc.mips);
+  const bool sampled = (usage & VK_IMAGE_USAGE_SAMPLED_BIT) != 0;
+  if (sampled && has_depth(desc.format)) depth_view_ = make_view(type, VK_IMAGE_ASPECT_DEPTH_BIT, 0, desc.mips);
+  if (sampled && has_stencil(desc.format)) stencil_view_ = make_view(type, VK_IMAGE_ASPECT_STENCIL_BIT, 0, desc.mips);
+  if ((usage & VK_IMAGE_USAGE_STORAGE_BIT) != 0) {
+    const VkImageViewType store = desc.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
+    for (std::uint32_t mip = 0; mip < desc.mips; ++mip)
+      mip_views_.push_back(make_view(store, VK_IMAGE_ASPECT_COLOR_BIT, mip, 1));
+  }
+}
+
+Image::~Image() {
+  if (image_ == VK_NULL_HANDLE) return;
+  for (const VkImageView view : {view_, depth_view_, stencil_view_})
+    vkDestroyImageView(device_->vk(), view, nullptr);
+  for (const VkImageView view : mip_views_) vkDestroyImageView(device_->vk(), view, nullptr);
+  vkDestroyImage(device_->vk(), image_, nullptr);
+  device_->memory().free(allocation_);
+}
+
+Image::Image(Image&& other) noexcept
+    : layout(other.layout),
+      device_(other.device_),
+      desc_(other.desc_),
+      usage_(other.usage_),
+      image_(std::exchange(other.image_, VK_NULL_HANDLE)),
+      allocation_(other.allocation_),
+      view_(other.view_),
+      depth_view_(other.depth_view_),
+      stencil_view_(other.stencil_view_),
+      mip_views_(std::move(other.mip_views_)) {}
+
+Image& Image::operator=(Image&& other) noexcept {
+  Image moved(std::move(other));
+  std::swap(layout, moved.layout);
+  std::swap(device_, moved.device_);
+  std::swap(desc_, moved.desc_);
+  std::swap(usage_, moved.usage_);
+  std::swap(image_, moved.image_);
+  std::swap(allocation_, moved.allocation_);
+  std::swap(view_, moved.view_);
+  std::swap(depth_view_, moved.depth_view_);
+  std::swap(stencil_view_, moved.stencil_view_);
+  std::swap(mip_views_, moved.mip_views_);
+  return *this;
+}
+
+VkImageView Image::make_view(VkImageViewType type, VkImageAspectFlags aspect, std::uint32_t mip,
+                             std::uint32_t mips) const {
+  const VkImageViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                   .image = image_,
+                                   .viewType = type,
+                                   .format = desc_.format,
+                                   .subresourceRange = {aspect, mip, mips, 0, desc_.layers}};
+  VkImageView view = VK_NULL_HANDLE;
+  check(vkCreateImageView(device_->vk(), &info, nullptr, &view), "vkCreateImageView");
+  return view;
+}
+
+}  // namespace velarium::gpu

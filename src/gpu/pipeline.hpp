@@ -1,0 +1,79 @@
+#pragma once
+
+#include "gpu/device.hpp"
+#include "gpu/spirv.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace velarium::gpu {
+
+inline constexpr std::uint32_t kMaxSets = 4;               // frame, pass, material, object
+inline constexpr std::uint32_t kPushConstantBytes = 128;   // all that the poorest driver has
+
+using Spirv = std::span<const std::uint32_t>;
+
+// 32-bit specialisation constants, by constant_id 0, 1, 2 ... Booleans are 0 or 1.
+using Specialization = std::vector<std::uint32_t>;
+
+struct VertexAttribute {
+  std::uint32_t location = 0, binding = 0;
+  VkFormat format = VK_FORMAT_UNDEFINED;
+  std::uint32_t offset = 0;
+  bool operator==(const VertexAttribute&) const = default;
+};
+
+struct VertexBinding {
+  std::uint32_t binding = 0, stride = 0;
+  bool operator==(const VertexBinding&) const = default;
+};
+
+enum class Blend { none, premultiplied };
+
+// Viewport, scissor, cull mode, front face and stencil reference are always dynamic. Depth is reversed-Z.
+struct RasterState {
+  std::vector<VertexBinding> vertex_bindings;
+  std::vector<VertexAttribute> vertex_attributes;
+  VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  std::vector<VkFormat> color_formats;
+  VkFormat depth_format = VK_FORMAT_UNDEFINED;
+  bool depth_write = true;
+  bool write_stencil = false;         // the dynamic reference replaces the stencil where a fragment passes
+  Blend blend = Blend::none;          // of every colour target
+  Specialization fragment_constants;
+  bool operator==(const RasterState&) const = default;
+};
+
+// A pipeline, its layout and its descriptor set layouts, all from the shaders' own SPIR-V.
+class Pipeline {
+ public:
+  static Pipeline compute(Device& device, Spirv shader, const Specialization& constants = {});
+  static Pipeline raster(Device& device, Spirv vertex, Spirv fragment, const RasterState& state);
+  ~Pipeline();
+  Pipeline(Pipeline&& other) noexcept;
+  Pipeline& operator=(Pipeline&&) = delete;
+
+  [[nodiscard]] VkPipeline vk() const { return pipeline_; }
+  [[nodiscard]] VkPipelineLayout layout() const { return layout_; }
+  [[nodiscard]] VkPipelineBindPoint bind_point() const { return bind_point_; }
+  [[nodiscard]] VkDescriptorSetLayout set_layout(std::uint32_t set) const { return set_layouts_[set]; }
+  // The type of a binding, for whoever writes its descriptor. Precondition: the shaders use it, or it is ignored:
+  // then nullopt.
+  [[nodiscard]] std::optional<VkDescriptorType> binding_type(std::uint32_t set, std::uint32_t binding) const;
+
+ private:
+  Pipeline(Device& device, VkPipelineBindPoint bind_point) : device_(&device), bind_point_(bind_point) {}
+  void make_layout(std::span<const Reflection> shaders, VkShaderStageFlags stages);
+
+  Device* device_;
+  VkPipelineBindPoint bind_point_;
+  VkPipeline pipeline_ = VK_NULL_HANDLE;
+  VkPipelineLayout layout_ = VK_NULL_HANDLE;
+  std::array<VkDescriptorSetLayout, kMaxSets> set_layouts_{};
+  std::vector<ReflectedBinding> bindings_;
+};
+
+}  // namespace velarium::gpu

@@ -1,0 +1,110 @@
+#include "graph/context.hpp"
+
+namespace velarium::graph {
+namespace {
+
+constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST,
+                                    .min = VK_FILTER_NEAREST,
+                                    .mip = VK_SAMPLER_MIPMAP_MODE_NEAREST};
+
+VkRenderingAttachmentInfo color_attachment(const gpu::Image& image, bool clear) {
+  return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+          .imageView = image.view(),
+          .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
+          .loadOp = clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD,
+          .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
+}
+
+VkRenderingAttachmentInfo depth_attachment(const gpu::Image& image, const RenderTargets& targets) {
+  return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+          .imageView = image.view(),
+          .imageLayout = targets.depth_writable ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
+                                                : VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL,
+          .loadOp = targets.clear_depth ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD,
+          .storeOp = targets.depth_writable ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_NONE};
+}
+
+}  // namespace
+
+void Context::bind(const gpu::Pipeline& pipeline) const {
+  vkCmdBindPipeline(commands_, pipeline.bind_point(), pipeline.vk());
+}
+
+SetWriter Context::set(const gpu::Pipeline& pipeline, std::uint32_t set) const { return {*this, pipeline, set}; }
+
+void Context::push(const gpu::Pipeline& pipeline, std::span<const std::byte> bytes) const {
+  const VkShaderStageFlags stages = pipeline.bind_point() == VK_PIPELINE_BIND_POINT_COMPUTE
+                                        ? VK_SHADER_STAGE_COMPUTE_BIT
+                                        : VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+  vkCmdPushConstants(commands_, pipeline.layout(), stages, 0, static_cast<std::uint32_t>(bytes.size()), bytes.data());
+}
+
+void Context::dispatch(std::uint32_t width, std::uint32_t height, std::uint32_t group_x, std::uint32_t group_y) const {
+  vkCmdDispatch(commands_, (width + group_x - 1) / group_x, (height + group_y - 1) / group_y, 1);
+}
+
+void Context::begin_rendering(const RenderTargets& targets) const {
+  std::vector<VkRenderingAttachmentInfo> colors;
+  for (const auto& color : targets.colors) colors.push_back(color_attachment(image(color.image), color.clear));
+  const bool has_depth = targets.depth.version != 0;
+  VkRenderingAttachmentInfo depth{};
+  if (has_depth) depth = depth_attachment(image(targets.depth), targets);
+  const bool has_stencil = has_depth && gpu::has_stencil(image(targets.depth).desc().format);
+
+  const auto& size = image(has_depth ? targets.depth : targets.colors.front().image).desc();
+  const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                             .renderArea = {{0, 0}, {size.width, size.height}},
+                             .layerCount = 1,
+                             .colorAttachmentCount = static_cast<std::uint32_t>(colors.size()),
+                             .pColorAttachments = colors.data(),
+                             .pDepthAttachment = has_depth ? &depth : nullptr,
+                             .pStencilAttachment = has_stencil ? &depth : nullptr};
+  vkCmdBeginRendering(commands_, &info);
+  const VkViewport viewport{0.0f, 0.0f, static_cast<float>(size.width), static_cast<float>(size.height), 0.0f, 1.0f};
+  vkCmdSetViewport(commands_, 0, 1, &viewport);
+  vkCmdSetScissor(commands_, 0, 1, &info.renderArea);
+}
+
+void Context::end_rendering() const { vkCmdEndRendering(commands_); }
+
+SetWriter& SetWriter::sampled(std::uint32_t binding, GraphImage handle, const gpu::SamplerDesc& sampler) {
+  const auto& image = context_.image(handle);
+  const bool depth = gpu::has_depth(image.desc().format);
+  bindings_.sampled(binding, depth ? image.depth_view() : image.view(),
+                    context_.tools().samplers.get(depth ? kNearest : sampler),
+                    access_info(Access::compute_sample, depth).layout);
+  return *this;
+}
+
+SetWriter& SetWriter::stencil(std::uint32_t binding, GraphImage handle) {
+  bindings_.sampled(binding, context_.image(handle).stencil_view(), context_.tools().samplers.get(kNearest),
+                    access_info(Access::compute_sample, true).layout);
+  return *this;
+}
+
+SetWriter& SetWriter::storage(std::uint32_t binding, GraphImage handle) {
+  bindings_.storage(binding, context_.image(handle).mip_view(0));
+  return *this;
+}
+
+SetWriter& SetWriter::buffer(std::uint32_t binding, GraphBuffer handle) {
+  bindings_.buffer(binding, context_.buffer(handle));
+  return *this;
+}
+
+SetWriter& SetWriter::sampled(std::uint32_t binding, const gpu::Image& image, const gpu::SamplerDesc& sampler) {
+  bindings_.sampled(binding, image.view(), context_.tools().samplers.get(sampler));
+  return *this;
+}
+
+SetWriter& SetWriter::buffer(std::uint32_t binding, const gpu::Buffer& buffer) {
+  bindings_.buffer(binding, buffer);
+  return *this;
+}
+
+void SetWriter::bind() {
+  const VkDescriptorSet set = context_.tools().descriptors.make(pipeline_, set_, bindings_);
+  vkCmdBindDescriptorSets(context_.commands(), pipeline_.bind_point(), pipeline_.layout(), set_, 1, &set, 0, nullptr);
+}
+
+}  // namespace velarium::graph

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "gpu/toolbox.hpp"
+#include "graph/graph.hpp"
+
+#include <deque>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace velarium::graph {
+
+struct ColorTarget {
+  GraphImage image;
+  bool clear = false;                 // to zero; else loaded
+};
+
+struct RenderTargets {
+  std::vector<ColorTarget> colors;
+  GraphImage depth;                   // version 0: none
+  bool clear_depth = false;           // to 0, the far plane of reversed-Z; stencil to 0
+  bool depth_writable = true;
+};
+
+class SetWriter;
+
+// What a pass records with: its command buffer, and the images and buffers behind the handles.
+class Context {
+ public:
+  Context(gpu::Toolbox& tools, VkCommandBuffer commands, std::span<gpu::Image* const> images,
+          std::span<gpu::Buffer* const> buffers)
+      : tools_(tools), commands_(commands), images_(images), buffers_(buffers) {}
+
+  [[nodiscard]] gpu::Toolbox& tools() const { return tools_; }
+  [[nodiscard]] VkCommandBuffer commands() const { return commands_; }
+  [[nodiscard]] const gpu::Image& image(GraphImage handle) const { return *images_[handle.index]; }
+  [[nodiscard]] const gpu::Buffer& buffer(GraphBuffer handle) const { return *buffers_[handle.index]; }
+
+  void bind(const gpu::Pipeline& pipeline) const;
+  // Collects and binds one descriptor set: c.set(p, 0).sampled(0, depth).storage(1, out).bind();
+  [[nodiscard]] SetWriter set(const gpu::Pipeline& pipeline, std::uint32_t set) const;
+  void push(const gpu::Pipeline& pipeline, std::span<const std::byte> bytes) const;
+  template <class T>
+  void push(const gpu::Pipeline& pipeline, const T& values) const {
+    static_assert(sizeof(T) <= gpu::kPushConstantBytes);
+    push(pipeline, std::as_bytes(std::span(&values, 1)));
+  }
+  // One thread a pixel of a width x height picture, in groups of group_x by group_y.
+  void dispatch(std::uint32_t width, std::uint32_t height, std::uint32_t group_x, std::uint32_t group_y) const;
+
+  // Between these, draws go to the targets, with viewport and scissor set to their whole size.
+  void begin_rendering(const RenderTargets& targets) const;
+  void end_rendering() const;
+
+ private:
+  gpu::Toolbox& tools_;
+  VkCommandBuffer commands_;
+  std::span<gpu::Image* const> images_;
+  std::span<gpu::Buffer* const> buffers_;
+};
+
+class SetWriter {
+ public:
+  SetWriter(const Context& context, const gpu::Pipeline& pipeline, std::uint32_t set)
+      : context_(context), pipeline_(pipeline), set_(set) {}
+
+  // The depth of a depth image, the colour of any other. Default sampler: linear, clamped.
+  SetWriter& sampled(std::uint32_t binding, GraphImage image, const gpu::SamplerDesc& sampler = {});
+  SetWriter& stencil(std::uint32_t binding, GraphImage image);
+  SetWriter& storage(std::uint32_t binding, GraphImage image);
+  SetWriter& buffer(std::uint32_t binding, GraphBuffer buffer);
+  // Resources from outside the graph, ready to be read.
+  SetWriter& sampled(std::uint32_t binding, const gpu::Image& image, const gpu::SamplerDesc& sampler = {});
+  SetWriter& buffer(std::uint32_t binding, const gpu::Buffer& buffer);
+  void bind();
+
+ private:
+  const Context& context_;
+  const gpu::Pipeline& pipeline_;
+  std::uint32_t set_;
+  gpu::Bindings bindings_;
+};
+
+}  // namespace velarium::graph

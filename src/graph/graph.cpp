@@ -1,0 +1,74 @@
+#include "graph/graph.hpp"
+
+#include <velarium/error.hpp>
+
+#include <fmt/core.h>
+
+namespace velarium::graph {
+namespace {
+
+// Shared by images and buffers: a handle must name the newest version, and a read needs one that was written.
+template <class Handle, class Resource>
+void refuse_stale(const Pass& pass, Handle handle, const std::vector<Resource>& resources, bool needs_contents) {
+  const auto& resource = resources.at(handle.index);
+  if (handle.version != resource.version)
+    throw Error(ErrorCode::internal, fmt::format("pass '{}' uses version {} of '{}', whose newest is {}", pass.name(),
+                                                 handle.version, resource.name, resource.version));
+  if (needs_contents && handle.version == 0)
+    throw Error(ErrorCode::internal, fmt::format("pass '{}' reads '{}' before any pass wrote it", pass.name(), resource.name));
+}
+
+}  // namespace
+
+GraphImage Graph::image(std::string_view name, const gpu::ImageDesc& desc) {
+  images_.push_back({.name = std::string(name), .desc = desc});
+  return {static_cast<std::uint32_t>(images_.size() - 1), 0};
+}
+
+GraphImage Graph::import(std::string_view name, gpu::Image& image, bool initialized) {
+  const std::uint32_t version = initialized ? 1 : 0;
+  images_.push_back({.name = std::string(name), .desc = image.desc(), .imported = &image, .version = version});
+  return {static_cast<std::uint32_t>(images_.size() - 1), version};
+}
+
+GraphBuffer Graph::buffer(std::string_view name, VkDeviceSize bytes, gpu::MemoryUse use) {
+  buffers_.push_back({.name = std::string(name), .bytes = bytes, .use = use});
+  return {static_cast<std::uint32_t>(buffers_.size() - 1), 0};
+}
+
+Pass& Graph::pass(std::string_view name) { return passes_.emplace_back(*this, name); }
+
+Pass& Pass::read(GraphImage image, Access access) {
+  refuse_stale(*this, image, graph_.images_, true);
+  auto& resource = graph_.images_[image.index];
+  resource.usage |= access_info(access, gpu::has_depth(resource.desc.format)).image_usage;
+  image_uses_.push_back({image.index, access, false});
+  return *this;
+}
+
+Pass& Pass::read(GraphBuffer buffer, Access access) {
+  refuse_stale(*this, buffer, graph_.buffers_, true);
+  graph_.buffers_[buffer.index].usage |= access_info(access, false).buffer_usage;
+  buffer_uses_.push_back({buffer.index, access, false});
+  return *this;
+}
+
+GraphImage Pass::write(GraphImage image, Access access) {
+  refuse_stale(*this, image, graph_.images_, false);
+  auto& resource = graph_.images_[image.index];
+  if (resource.version == 0) resource.name = name_ + "." + resource.name;
+  resource.usage |= access_info(access, gpu::has_depth(resource.desc.format)).image_usage;
+  image_uses_.push_back({image.index, access, true});
+  return {image.index, ++resource.version};
+}
+
+GraphBuffer Pass::write(GraphBuffer buffer, Access access) {
+  refuse_stale(*this, buffer, graph_.buffers_, false);
+  auto& resource = graph_.buffers_[buffer.index];
+  if (resource.version == 0) resource.name = name_ + "." + resource.name;
+  resource.usage |= access_info(access, false).buffer_usage;
+  buffer_uses_.push_back({buffer.index, access, true});
+  return {buffer.index, ++resource.version};
+}
+
+}  // namespace velarium::graph
