@@ -1,0 +1,91 @@
+#include <velarium/picture.hpp>
+
+#include "core/files.hpp"
+#include "image/image.hpp"
+
+#include <velarium/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <string_view>
+
+namespace velarium {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Display values are 8-bit steps widened to 16: step n is stored as 257 n, so that 255 becomes 65535.
+constexpr std::uint32_t kStep = 257;
+
+image::ByteImage bytes_of(const Picture& picture) {
+  image::ByteImage bytes{picture.width, picture.height, std::vector<std::uint8_t>(picture.display.size())};
+  std::transform(picture.display.begin(), picture.display.end(), bytes.rgba.begin(),
+                 [](std::uint32_t value) { return static_cast<std::uint8_t>((value + kStep / 2) / kStep); });
+  return bytes;
+}
+
+void save_png(const fs::path& file, const Picture& picture, const Settings& settings) {
+  if (settings.output.bits == 8) return image::save_png(file, bytes_of(picture));
+  image::save_png(file, image::WordImage{picture.width, picture.height, picture.display});
+}
+void save_jpeg(const fs::path& file, const Picture& picture, const Settings& settings) {
+  image::save_jpeg(file, bytes_of(picture), settings.output.quality);
+}
+void save_webp(const fs::path& file, const Picture& picture, const Settings& settings) {
+  image::save_webp(file, bytes_of(picture), settings.output.quality);
+}
+void save_exr(const fs::path& file, const Picture& picture, const Settings& settings) {
+  image::save_exr(file, {picture.width, picture.height, picture.linear}, settings.output.exr == ExrType::half);
+}
+void save_hdr(const fs::path& file, const Picture& picture, const Settings&) {
+  image::save_hdr(file, {picture.width, picture.height, picture.linear});
+}
+
+struct Ending {
+  std::string_view text;
+  bool linear;  // which half of the picture it stores
+  void (*save)(const fs::path&, const Picture&, const Settings&);
+};
+
+constexpr std::array kEndings{
+    Ending{".png", false, save_png},   Ending{".jpg", false, save_jpeg}, Ending{".jpeg", false, save_jpeg},
+    Ending{".webp", false, save_webp}, Ending{".exr", true, save_exr},   Ending{".hdr", true, save_hdr},
+};
+
+const Ending& ending_of(const fs::path& file) {
+  std::string text = file.extension().string();
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  const auto found = std::find_if(kEndings.begin(), kEndings.end(), [&](const Ending& e) { return e.text == text; });
+  if (found != kEndings.end()) return *found;
+  std::string known;
+  for (const Ending& ending : kEndings) known += fmt::format(" {}", ending.text);
+  throw Error(
+      ErrorCode::usage, file,
+      fmt::format("{}; pictures end in one of{}",
+                  text.empty() ? "has no ending that names a format" : fmt::format("'{}' is not a format", text),
+                  known));
+}
+
+}  // namespace
+
+void Picture::save(const fs::path& file, const Settings& settings) const {
+  const Ending& ending = ending_of(file);
+  const std::size_t stored = ending.linear ? linear.size() : display.size();
+  if (stored != 4 * static_cast<std::size_t>(width) * height) {
+    throw Error(ErrorCode::usage, file,
+                fmt::format("{} stores {} values, which this picture was made without", ending.text,
+                            ending.linear ? "linear" : "display"));
+  }
+  ending.save(file, *this, settings);
+}
+
+void Picture::check_destination(const fs::path& file) {
+  (void)ending_of(file);
+  check_writable(file);
+}
+
+}  // namespace velarium

@@ -1,0 +1,266 @@
+#include "image/codecs.hpp"
+
+#include "core/assert.hpp"
+#include "core/log.hpp"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <string_view>
+
+namespace velarium::image {
+namespace {
+
+using Imath::Box2i;
+
+// --- bytes --------------------------------------------------------------------------------------------------------
+
+class MemoryInput final : public Imf::IStream {
+ public:
+  MemoryInput(Bytes data, const std::string& what) : IStream(what.c_str()), data_(data) {}
+
+  bool read(char to[], int count) override {
+    const auto size = static_cast<std::size_t>(count);
+    if (count < 0 || position_ > data_.size() || size > data_.size() - position_) {
+      throw std::runtime_error("the file ends early");
+    }
+    std::memcpy(to, data_.data() + position_, size);
+    position_ += size;
+    return position_ < data_.size();
+  }
+  std::uint64_t tellg() override { return position_; }
+  void seekg(std::uint64_t position) override { position_ = position; }
+
+ private:
+  Bytes data_;
+  std::uint64_t position_ = 0;
+};
+
+class MemoryOutput final : public Imf::OStream {
+ public:
+  explicit MemoryOutput(const std::string& what) : OStream(what.c_str()) {}
+
+  void write(const char from[], int count) override {
+    const std::size_t end = position_ + static_cast<std::size_t>(count);
+    if (end > data_.size()) data_.resize(end);
+    std::memcpy(data_.data() + position_, from, static_cast<std::size_t>(count));
+    position_ = end;
+  }
+  std::uint64_t tellp() override { return position_; }
+  void seekp(std::uint64_t position) override { position_ = position; }
+  [[nodiscard]] std::vector<std::byte> take() { return std::move(data_); }
+
+ private:
+  std::vector<std::byte> data_;
+  std::uint64_t position_ = 0;
+};
+
+// --- the header, before OpenEXR allocates what it claims ----------------------------------------------------------
+
+// Walks the attributes of the first header (OpenEXR file layout: name, type, size, value; an empty name ends it).
+class AttributeReader {
+ public:
+  AttributeReader(Bytes data, const std::string& what) : unread_(data), what_(what) {}
+
+  [[nodiscard]] std::uint32_t integer() { return bytes_as<std::uint32_t>(take(4)); }
+  [[nodiscard]] std::string_view text() {
+    const auto end = std::find(unread_.begin(), unread_.end(), std::byte{0});
+    if (end == unread_.end()) ends_early();
+    const Bytes found = take(static_cast<std::size_t>(end - unread_.begin()));
+    (void)take(1);
+    return {reinterpret_cast<const char*>(found.data()), found.size()};
+  }
+  [[nodiscard]] Bytes take(std::size_t size) {
+    if (size > unread_.size()) ends_early();
+    const Bytes taken = unread_.first(size);
+    unread_ = unread_.subspan(size);
+    return taken;
+  }
+  template <class T>
+  [[nodiscard]] static T bytes_as(Bytes bytes) {  // files and the machines we run on are little-endian
+    T value{};
+    std::memcpy(&value, bytes.data(), std::min(sizeof value, bytes.size()));
+    return value;
+  }
+
+ private:
+  [[noreturn]] void ends_early() const { invalid(what_, "OpenEXR: the file ends in its header"); }
+
+  Bytes unread_;
+  const std::string& what_;
+};
+
+void check_window(const std::array<std::int32_t, 4>& box, const std::string& what, const Limits& limits) {
+  const std::int64_t width = std::int64_t{box[2]} - box[0] + 1, height = std::int64_t{box[3]} - box[1] + 1;
+  if (width < 1 || height < 1 || std::max(width, height) > limits.size) {
+    invalid(what, fmt::format("OpenEXR: a window of {} x {} pixels; from 1 to {} a side are read", width, height,
+                              limits.size));
+  }
+  check_size({static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)}, what, limits);
+}
+
+void check_header(Bytes data, const std::string& what, const Limits& limits) {
+  constexpr std::uint32_t kDeepFlag = 0x800;  // "non-image", of the version field
+  AttributeReader reader(data, what);
+  (void)reader.integer();
+  if ((reader.integer() & kDeepFlag) != 0)
+    throw Error(ErrorCode::unsupported, what, "OpenEXR: deep data is not supported");
+  for (std::string_view name; !(name = reader.text()).empty();) {
+    const std::string_view type = reader.text();
+    const Bytes value = reader.take(reader.integer());
+    const bool window = name == "dataWindow" || name == "displayWindow";
+    if (window && type == "box2i")
+      check_window(AttributeReader::bytes_as<std::array<std::int32_t, 4>>(value), what, limits);
+    if (type != "tiledesc") continue;
+    const auto tile = AttributeReader::bytes_as<std::array<std::uint32_t, 2>>(value);
+    if (std::max(tile[0], tile[1]) > limits.size)
+      invalid(what, fmt::format("OpenEXR: tiles of {} x {} pixels", tile[0], tile[1]));
+  }
+}
+
+// --- pixels -------------------------------------------------------------------------------------------------------
+
+Size size_of(const Box2i& window) {
+  return {static_cast<std::uint32_t>(window.max.x - window.min.x + 1),
+          static_cast<std::uint32_t>(window.max.y - window.min.y + 1)};
+}
+
+std::string channel_names(const Imf::ChannelList& channels) {
+  std::string names;
+  for (auto i = channels.begin(); i != channels.end(); ++i)
+    names += (names.empty() ? "" : ", ") + std::string(i.name());
+  return names;
+}
+
+bool has_full(const Imf::ChannelList& channels, const char* name) {
+  const Imf::Channel* channel = channels.findChannel(name);
+  return channel != nullptr && channel->xSampling == 1 && channel->ySampling == 1;
+}
+
+// Which file channel goes to R, G, B.
+std::array<const char*, 3> color_channels(const Imf::ChannelList& channels, const std::string& what) {
+  if (has_full(channels, "R") && has_full(channels, "G") && has_full(channels, "B")) return {"R", "G", "B"};
+  const bool chroma = channels.findChannel("RY") != nullptr || channels.findChannel("BY") != nullptr;
+  if (has_full(channels, "Y") && !chroma) return {"Y", "Y", "Y"};
+  throw Error(
+      ErrorCode::unsupported, what,
+      fmt::format("OpenEXR: channels R, G and B, or Y alone, are read; the file has {}", channel_names(channels)));
+}
+
+FloatImage read_data_window(Imf::InputFile& file, const std::string& what) {
+  const Box2i window = file.header().dataWindow();
+  const Size size = size_of(window);
+  FloatImage image{size.width, size.height, std::vector<float>(channel_count(size))};
+  const std::array<const char*, 3> names = color_channels(file.header().channels(), what);
+  const bool grey = names[0] == names[1];
+
+  constexpr std::size_t kPixelBytes = 4 * sizeof(float);
+  const auto slice = [&](std::size_t channel, double fill) {
+    return Imf::Slice::Make(Imf::FLOAT, image.rgba.data() + channel, window, kPixelBytes, kPixelBytes * size.width, 1,
+                            1, fill);
+  };
+  Imf::FrameBuffer target;
+  for (std::size_t c = 0; c < (grey ? 1 : 3); ++c) target.insert(names[c], slice(c, 0.0));
+  target.insert("A", slice(3, 1.0));
+  file.setFrameBuffer(target);
+  file.readPixels(window.min.y, window.max.y);
+
+  for (std::size_t i = 0; grey && i < image.rgba.size(); i += 4) image.rgba[i + 1] = image.rgba[i + 2] = image.rgba[i];
+  return image;
+}
+
+// The picture is the display window; what the data window leaves of it is transparent black.
+FloatImage placed(const FloatImage& data, const Box2i& from, const Box2i& display) {
+  const Size size = size_of(display);
+  FloatImage image{size.width, size.height, std::vector<float>(channel_count(size))};
+  const int left = std::max(from.min.x, display.min.x), right = std::min(from.max.x, display.max.x);
+  for (int y = std::max(from.min.y, display.min.y); y <= std::min(from.max.y, display.max.y) && left <= right; ++y) {
+    const auto offset = [&](const Box2i& box, std::size_t width) {
+      return 4 * (static_cast<std::size_t>(y - box.min.y) * width + static_cast<std::size_t>(left - box.min.x));
+    };
+    std::copy_n(data.rgba.begin() + static_cast<std::ptrdiff_t>(offset(from, data.width)), 4 * (right - left + 1),
+                image.rgba.begin() + static_cast<std::ptrdiff_t>(offset(display, image.width)));
+  }
+  return image;
+}
+
+// --- writing ------------------------------------------------------------------------------------------------------
+
+bool opaque(const FloatImage& image) {
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) {
+    if (image.rgba[i] != 1.0f) return false;
+  }
+  return true;
+}
+
+std::vector<half> halves(const FloatImage& image, const std::string& what) {
+  std::size_t clamped = 0;
+  std::vector<half> values(image.rgba.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const float value = image.rgba[i];
+    const bool too_large = std::isfinite(value) && std::abs(value) > HALF_MAX;
+    clamped += too_large ? 1 : 0;
+    values[i] = half(too_large ? std::copysign(HALF_MAX, value) : value);
+  }
+  if (clamped > 0)
+    log_warning("{}: {} values above {} were clamped; 32-bit channels hold them", what, clamped, HALF_MAX);
+  return values;
+}
+
+template <class Channel>
+std::vector<std::byte> write_channels(const FloatImage& image, const std::vector<Channel>& rgba, Imf::PixelType type,
+                                      const std::string& what) {
+  Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
+  header.compression() = Imf::ZIP_COMPRESSION;
+  Imf::FrameBuffer source;
+  constexpr std::array kNames{"R", "G", "B", "A"};
+  for (std::size_t c = 0; c < (opaque(image) ? 3 : 4); ++c) {
+    header.channels().insert(kNames[c], Imf::Channel(type));
+    // A slice has no constant form; OutputFile only reads through it.
+    auto* base = reinterpret_cast<char*>(const_cast<Channel*>(rgba.data() + c));
+    source.insert(kNames[c], Imf::Slice(type, base, 4 * sizeof(Channel), 4 * sizeof(Channel) * image.width));
+  }
+  MemoryOutput out(what);
+  {
+    Imf::OutputFile file(out, header);  // its destructor writes the table of lines
+    file.setFrameBuffer(source);
+    file.writePixels(static_cast<int>(image.height));
+  }
+  return out.take();
+}
+
+}  // namespace
+
+FloatImage read_exr(Bytes data, const std::string& what, const Limits& limits) {
+  check_header(data, what, limits);
+  try {
+    MemoryInput stream(data, what);
+    Imf::InputFile file(stream);
+    FloatImage image = read_data_window(file, what);
+    const Box2i from = file.header().dataWindow(), display = file.header().displayWindow();
+    return from == display ? image : placed(image, from, display);
+  } catch (const Error&) { throw; } catch (const std::exception& error) {
+    invalid(what, fmt::format("OpenEXR: {}", error.what()));
+  }
+}
+
+std::vector<std::byte> write_exr(const FloatImage& image, bool half_floats, const std::string& what) {
+  VEL_ASSERT(image.rgba.size() == channel_count({image.width, image.height}));
+  try {
+    return half_floats ? write_channels(image, halves(image, what), Imf::HALF, what)
+                       : write_channels(image, image.rgba, Imf::FLOAT, what);
+  } catch (const std::exception& error) {
+    throw Error(ErrorCode::output_not_written, what, fmt::format("OpenEXR: {}", error.what()));
+  }
+}
+
+}  // namespace velarium::image
