@@ -39,8 +39,8 @@ struct Limits {                     // checked against the header, before pixels
 struct Size { std::uint32_t width, height; };
 [[nodiscard]] Size peek_size(std::span<const std::byte> data, const std::string& what);
 
-// Radiance .hdr (flat, old and new run-length) or OpenEXR, by content; negative and non-finite values are an error
-// that names the pixel. Throws Error(input_missing), Error(input_invalid), Error(unsupported).
+// Radiance .hdr (flat, old and new run-length) or OpenEXR, by content. Non-finite values are an error that names the
+// pixel; negative ones, which resampling and lossy compression leave in real files, become 0 with a warning. Throws Error(input_missing), Error(input_invalid), Error(unsupported).
 [[nodiscard]] FloatImage load_radiance(const std::filesystem::path& file, const Limits& limits = {});
 
 // Any of the formats above as linear floats: sRGB-encoded formats are decoded, alpha kept straight.

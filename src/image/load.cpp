@@ -1,8 +1,8 @@
 #include "image/codecs.hpp"
 
 #include "core/files.hpp"
+#include "core/log.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace velarium::image {
@@ -33,14 +33,23 @@ FloatImage linear_image(std::uint32_t width, std::uint32_t height, const std::ve
   return image;
 }
 
-void check_radiance(const FloatImage& image, const std::string& what) {
+std::string pixel_text(const FloatImage& image, std::size_t value_index) {
+  const std::size_t pixel = value_index / 4;
+  return fmt::format("pixel ({}, {}) has the value {}", pixel % image.width, pixel / image.width,
+                     image.rgba[value_index]);
+}
+
+void make_radiance(FloatImage& image, const std::string& what) {
+  std::size_t negative = 0;
+  std::string first;
   for (std::size_t i = 0; i < image.rgba.size(); ++i) {
-    const float value = image.rgba[i];
-    if (value >= 0.0f && std::isfinite(value)) continue;
-    const std::size_t pixel = i / 4;
-    invalid(what, fmt::format("pixel ({}, {}) has the value {}; radiance is finite and not negative",
-                              pixel % image.width, pixel / image.width, value));
+    float& value = image.rgba[i];
+    if (!std::isfinite(value)) invalid(what, pixel_text(image, i) + "; radiance is finite");
+    if (value >= 0.0f) continue;
+    if (negative++ == 0) first = pixel_text(image, i);
+    value = 0.0f;
   }
+  if (negative > 0) log_warning("{}: {}; such negative values ({} in all) are read as 0", what, first, negative);
 }
 
 FloatImage read_high_range(Bytes data, Format format, const std::string& what, const Limits& limits) {
@@ -56,7 +65,7 @@ FloatImage load_radiance(const std::filesystem::path& file, const Limits& limits
     invalid(file.string(), data.empty() ? "is empty" : "is not an OpenEXR or Radiance (.hdr) picture");
   }
   FloatImage image = read_high_range(data, format, file.string(), limits);
-  check_radiance(image, file.string());
+  make_radiance(image, file.string());
   return image;
 }
 
