@@ -4,6 +4,7 @@
 
 #include "shading/constants.glsl"
 #include "shading/lang.glsl"
+#include "shading/microfacet.glsl"
 
 // --- hashes -------------------------------------------------------------------------------------------------------
 
@@ -97,6 +98,30 @@ FN vec3 sample_ggx_half_vector(vec2 u, float alpha) {
   float sin_theta = alpha * sqrt(u.x * scale);
   float phi = kTwoPi * u.y;
   return vec3(sin_theta * cos(phi), sin_theta * sin(phi), sqrt((1.0f - u.x) * scale));
+}
+
+// Half vector that wo sees: distributed as D masked and projected towards wo, for alpha > 0 [Heitz 2018], by the
+// spherical cap of Dupuy & Benyoub 2023. wo: unit, about +z, wo.z > 0. u in [0, 1)^2.
+FN vec3 sample_ggx_visible_half_vector(vec3 wo, vec2 u, float alpha) {
+  require(alpha > 0.0f && wo.z > 0.0f);
+  vec3 stretched = normalize(vec3(alpha * wo.x, alpha * wo.y, wo.z));
+  float z = (1.0f - u.x) * (1.0f + stretched.z) - stretched.z;
+  float sin_theta = sqrt(clamp(1.0f - z * z, 0.0f, 1.0f));
+  float phi = kTwoPi * u.y;
+  vec3 h = vec3(sin_theta * cos(phi), sin_theta * sin(phi), z) + stretched;
+  return normalize(vec3(alpha * h.x, alpha * h.y, h.z));
+}
+
+// 1 / G1(wo) times 2 n.v: Smith's masking of one direction as sqrt(a2 + (1 - a2) (n.v)^2) + n.v [Walter 2007, eq. 34].
+FN float ggx_smith_denominator(float n_dot_v, float alpha) {
+  float a2 = alpha * alpha;
+  return n_dot_v + sqrt(a2 + (1.0f - a2) * n_dot_v * n_dot_v);
+}
+
+// Density of the mirror direction about such a half vector, per steradian of wi: D G1(wo) / (4 n.v).
+// sin2_theta_h: as d_ggx_from_sin2.
+FN float pdf_sr_ggx_visible(float sin2_theta_h, float n_dot_v, float alpha) {
+  return 0.5f * d_ggx_from_sin2(sin2_theta_h, alpha) / ggx_smith_denominator(n_dot_v, alpha);
 }
 
 #endif
