@@ -1,0 +1,87 @@
+#pragma once
+
+// Accessors: typed arrays over buffer views, widened to what the scene tables hold.
+
+#include "scene/gltf_buffers.hpp"
+#include "scene/gltf_json.hpp"
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/gtc/type_precision.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace velarium::scene::gltf {
+
+enum class Component : std::uint16_t { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126 };
+enum class Type : std::uint8_t { scalar, vec2, vec3, vec4, mat2, mat3, mat4 };
+
+struct Format {
+  Type type = Type::scalar;
+  Component component = Component::f32;
+  bool normalized = false;
+  bool operator==(const Format&) const = default;
+};
+
+// Elements of one format at equal distances; the reader has checked that all lie inside their view.
+struct Elements {
+  const std::byte* first = nullptr;  // null: all zeros
+  std::uint32_t stride = 0;          // bytes
+  std::uint32_t count = 0;
+};
+
+struct Accessor {
+  Value at;
+  Format format;
+  Elements elements;
+  bool aligned_for_vertices = true;  // offset and stride are multiples of 4, as glTF asks of vertex attributes
+  // Elements that replace others; count 0 where the accessor is not sparse.
+  Component sparse_index_component = Component::u32;
+  Elements sparse_indices, sparse_values;
+};
+
+class Accessors {
+ public:
+  // Checks every accessor against its view. `buffers` must outlive the result.
+  Accessors(Value root, const Buffers& buffers, const GltfLimits& limits);
+
+  // The accessor that a JSON number refers to. Throws at its pointer where there is none, or one whose format is not
+  // among those allowed.
+  [[nodiscard]] const Accessor& find(const Value& reference, std::span<const Format> allowed) const;
+  // Only checks that there is such an accessor.
+  void check(const Value& reference) const;
+
+  // Floats, normalised integers widened to floats; finite, or it throws. The element is a float or a float vector or
+  // matrix of the accessor's type.
+  template <class Element>
+  [[nodiscard]] std::vector<Element> read_floats(const Accessor& accessor) {
+    std::vector<Element> out = allocate<Element>(accessor);
+    fill_floats(accessor, reinterpret_cast<float*>(out.data()), out.size() * (sizeof(Element) / sizeof(float)));
+    return out;
+  }
+  // Unsigned scalars, and vectors of four shorts, widened.
+  [[nodiscard]] std::vector<std::uint32_t> read_indices(const Accessor& accessor);
+  [[nodiscard]] std::vector<glm::u16vec4> read_joints(const Accessor& accessor);
+
+  // Claims memory for elements that are not read from an accessor; throws at `place` beyond the scene's limit.
+  void claim(const Value& place, std::uint64_t elements);
+
+ private:
+  void read_accessor(const Value& at);
+  void read_sparse(const Value& sparse, Accessor& accessor);
+  template <class Element>
+  [[nodiscard]] std::vector<Element> allocate(const Accessor& accessor) {
+    claim(accessor.at, accessor.elements.count);
+    return std::vector<Element>(accessor.elements.count);
+  }
+  static void fill_floats(const Accessor& accessor, float* out, std::size_t float_count);
+
+  const Buffers& buffers_;
+  std::uint64_t accessor_limit_, elements_left_;
+  std::vector<Accessor> accessors_;
+};
+
+}  // namespace velarium::scene::gltf

@@ -1,0 +1,58 @@
+#include "scene/gltf_extensions.hpp"
+
+#include <velarium/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+namespace velarium::scene::gltf {
+
+namespace {
+
+// A later extension is a row here, and its hooks beside what they extend.
+constexpr std::array kExtensions = {
+    Extension{.name = "KHR_lights_punctual", .document = read_lights_punctual, .node = read_node_light},
+    Extension{.name = "KHR_materials_emissive_strength", .material = read_emissive_strength},
+    Extension{.name = "KHR_materials_ior", .material = read_ior},
+    Extension{.name = "KHR_materials_specular", .material = read_specular},
+    Extension{.name = "KHR_materials_unlit", .material = read_unlit},
+    Extension{.name = "KHR_mesh_quantization"},  // adds no object: attribute formats ask uses_extension()
+    Extension{.name = "KHR_texture_transform", .texture_ref = read_texture_transform},
+};
+
+bool is_supported(std::string_view name) {
+  return std::ranges::any_of(kExtensions, [&](const Extension& extension) { return extension.name == name; });
+}
+
+}  // namespace
+
+std::span<const Extension> supported_extensions() {
+  return kExtensions;
+}
+
+bool uses_extension(const Scene& scene, std::string_view name) {
+  return std::ranges::find(scene.extensions_used, name) != scene.extensions_used.end();
+}
+
+void read_extension_lists(Context& context) {
+  std::string lacking;
+  for (const Value& name : context.root["extensionsRequired"].elements()) {
+    context.scene.extensions_required.emplace_back(name.text());
+    if (!is_supported(name.text())) lacking += (lacking.empty() ? "" : ", ") + std::string(name.text());
+  }
+  if (!lacking.empty()) {
+    throw Error(ErrorCode::unsupported, context.root.file(),
+                fmt::format("/extensionsRequired: the file requires {}, which this program does not support; "
+                            "export it without",
+                            lacking));
+  }
+  for (const Value& name : context.root["extensionsUsed"].elements()) {
+    if (uses_extension(context.scene, name.text())) continue;
+    context.scene.extensions_used.emplace_back(name.text());
+    if (!is_supported(name.text())) name.warn(fmt::format("{} is not supported; it is ignored", name.text()));
+  }
+}
+
+}  // namespace velarium::scene::gltf

@@ -1,0 +1,143 @@
+#include "core/jobs.hpp"
+#include "image/image.hpp"
+#include "scene/gltf_parts.hpp"
+#include "scene/gltf_uri.hpp"
+
+#include <velarium/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace velarium::scene::gltf {
+
+namespace {
+
+// Marks the materials that primitives under the roots of the shown scene have.
+std::vector<bool> materials_in_use(const Scene& scene) {
+  std::vector<bool> used(scene.materials.size(), false);
+  std::vector<std::uint32_t> open = scene.roots;
+  while (!open.empty()) {
+    const Node& node = scene.nodes[open.back()];
+    open.pop_back();
+    open.insert(open.end(), node.children.begin(), node.children.end());
+    if (node.mesh == kNone) continue;
+    for (const std::uint32_t primitive : scene.meshes[static_cast<std::size_t>(node.mesh)].primitives) {
+      const std::int32_t material = scene.primitives[primitive].material;
+      if (material != kNone) used[static_cast<std::size_t>(material)] = true;
+    }
+  }
+  return used;
+}
+
+std::vector<bool> textures_in_use(const Scene& scene) {
+  const std::vector<bool> materials = materials_in_use(scene);
+  std::vector<bool> used(scene.textures.size(), false);
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    if (!materials[i]) continue;
+    for (const TextureRef* ref : texture_refs(scene.materials[i])) {
+      if (ref->present()) used[static_cast<std::size_t>(ref->texture)] = true;
+    }
+  }
+  return used;
+}
+
+// The encoded bytes of an image: a view, or its own copy.
+struct Source {
+  Value image;
+  std::vector<std::byte> owned;
+  std::span<const std::byte> bytes;
+};
+
+// Checks one element of /images, whether used or not.
+void check_image(const Value& image, const Buffers& buffers) {
+  const Value uri = image["uri"], view = image["bufferView"];
+  if (static_cast<bool>(uri) == static_cast<bool>(view)) image.fail("must have either uri or bufferView");
+  if (view) static_cast<void>(buffers.view(view));
+  if (uri) static_cast<void>(uri.text());
+}
+
+void load_source(Source& source, const Buffers& buffers, const GltfOptions& options) {
+  if (const Value view = source.image["bufferView"]) {
+    source.bytes = buffers.view(view).bytes;
+    return;
+  }
+  source.owned = load_uri(source.image["uri"], options, options.limits.file_bytes);
+  source.bytes = source.owned;
+}
+
+// Calls `work` and gives errors of the image library the scene's file and this image's pointer.
+template <class Work>
+auto at_image(const Value& image, const Work& work) {
+  const Value uri = image["uri"];
+  const bool named = uri && !uri.text().starts_with("data:");
+  const std::string what = image.pointer() + (named ? fmt::format(" ({})", uri.text()) : "");
+  try {
+    return work(what);
+  } catch (const Error& error) { throw Error(error.code(), image.file(), error.what()); }
+}
+
+// Points textures at the table of decoded images, and lists the sources of those images in its order.
+std::vector<Source> assign_images(Context& context, const Buffers& buffers) {
+  Scene& scene = context.scene;
+  const Value list = context.root["images"];
+  for (const Value& image : list.elements()) check_image(image, buffers);
+  const std::vector<bool> used = textures_in_use(scene);
+  std::vector<std::int32_t> place(list.size(), kNone);  // in the table, of each element of /images
+  std::vector<Source> sources;
+  for (std::uint32_t i = 0; i < scene.textures.size(); ++i) {
+    std::int32_t& image = scene.textures[i].image;
+    if (!used[i]) {
+      image = kNone;
+      continue;
+    }
+    if (image == kNone) {
+      context.root["textures"].at(i).warn("has no image that can be read; it is white");
+      continue;
+    }
+    const auto index = static_cast<std::uint32_t>(image);
+    if (place[index] == kNone) {
+      place[index] = static_cast<std::int32_t>(sources.size());
+      sources.push_back({list.at(index), {}, {}});
+    }
+    image = place[index];
+  }
+  return sources;
+}
+
+void check_sizes(const std::vector<Source>& sources, const GltfLimits& limits) {
+  std::uint64_t left = limits.scene_pixels;
+  for (const Source& source : sources) {
+    const image::Size size =
+        at_image(source.image, [&](const std::string& what) { return image::peek_size(source.bytes, what); });
+    const std::uint64_t pixels = std::uint64_t{size.width} * size.height;
+    if (std::max(size.width, size.height) > limits.image_size || pixels > std::min(limits.image_pixels, left)) {
+      source.image.fail(
+          fmt::format("an image of {} x {} pixels exceeds the limits; scale it down", size.width, size.height));
+    }
+    left -= pixels;
+  }
+}
+
+}  // namespace
+
+void read_images(Context& context, const Buffers& buffers) {
+  const GltfLimits& limits = context.options.limits;
+  std::vector<Source> sources = assign_images(context, buffers);
+  parallel_for(sources.size(), [&](std::size_t i) { load_source(sources[i], buffers, context.options); });
+  check_sizes(sources, limits);
+  context.scene.images.resize(sources.size());
+  parallel_for(sources.size(), [&](std::size_t i) {
+    image::ByteImage decoded = at_image(sources[i].image, [&](const std::string& what) {
+      return image::decode(sources[i].bytes, what, {limits.image_pixels, limits.image_size});
+    });
+    sources[i].owned = {};
+    Image& image = context.scene.images[i];
+    image.name = sources[i].image["name"].text_or("");
+    image.width = decoded.width;
+    image.height = decoded.height;
+    image.rgba = std::move(decoded.rgba);
+  });
+}
+
+}  // namespace velarium::scene::gltf

@@ -1,0 +1,41 @@
+#include "scene/gltf_transforms.hpp"
+
+#include <fmt/core.h>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace velarium::scene::gltf {
+
+namespace {
+
+// Files hold products of float matrices; their last row strays by rounding alone.
+constexpr float kRowTolerance = 1e-4f;
+// Sixteen normalised bits, and decimals cut to four digits, stay within this.
+constexpr float kLengthTolerance = 1e-3f;
+constexpr float kSmallestLength = 1e-6f;  // below it the direction is rounding noise
+
+}  // namespace
+
+void check_affine(const Value& at, glm::mat4& matrix) {
+  for (int column = 0; column < 4; ++column) {
+    const float wanted = column == 3 ? 1.0f : 0.0f;
+    if (std::abs(matrix[column][3] - wanted) > kRowTolerance) {
+      at.fail(fmt::format("element {} of a matrix is {}, must be {}: the last row is 0 0 0 1", column * 4 + 3,
+                          matrix[column][3], wanted));
+    }
+    matrix[column][3] = wanted;
+  }
+}
+
+glm::quat unit_rotation(const Value& at, const glm::vec4& xyzw) {
+  const float length = glm::length(xyzw);
+  if (!(length > kSmallestLength) || !std::isfinite(length)) {
+    at.fail(fmt::format("a rotation is a quaternion of length {}; it must be 1", length));
+  }
+  if (std::abs(length - 1.0f) > kLengthTolerance) at.warn("a rotation is not of unit length; it was normalised");
+  const glm::vec4 unit = xyzw / length;
+  return {unit.w, unit.x, unit.y, unit.z};
+}
+
+}  // namespace velarium::scene::gltf

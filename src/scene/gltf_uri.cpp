@@ -1,0 +1,155 @@
+#include "scene/gltf_uri.hpp"
+
+#include "core/files.hpp"
+
+#include <velarium/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <system_error>
+
+namespace velarium::scene::gltf {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kDataScheme = "data:";
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+// RFC 3986, 2.1. Bytes that are not encoded, spaces and UTF-8 among them, stand for themselves.
+std::string percent_decoded(const Value& uri, std::string_view text) {
+  std::string decoded;
+  decoded.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      decoded += text[i];
+      continue;
+    }
+    const int high = i + 2 < text.size() ? hex_digit(text[i + 1]) : -1;
+    const int low = i + 2 < text.size() ? hex_digit(text[i + 2]) : -1;
+    if (high < 0 || low < 0) uri.fail("has a '%' without two hexadecimal digits after it; write a plain '%' as %25");
+    decoded += static_cast<char>(high * 16 + low);
+    i += 2;
+  }
+  return decoded;
+}
+
+constexpr std::array<std::int8_t, 256> make_base64_values() {
+  std::array<std::int8_t, 256> values{};
+  for (auto& value : values) value = -1;
+  constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (std::size_t i = 0; i < kAlphabet.size(); ++i) {
+    values[static_cast<unsigned char>(kAlphabet[i])] = static_cast<std::int8_t>(i);
+  }
+  return values;
+}
+
+// RFC 4648, 4; padding may be missing.
+std::vector<std::byte> base64_decoded(const Value& uri, std::string_view text) {
+  static constexpr std::array<std::int8_t, 256> kValues = make_base64_values();
+  for (int padding = 0; padding < 2 && text.ends_with('='); ++padding) text.remove_suffix(1);
+  if (text.size() % 4 == 1) uri.fail("its base64 data is cut short");
+  std::vector<std::byte> decoded(text.size() / 4 * 3 + text.size() % 4 * 3 / 4);
+  std::uint32_t bits = 0;
+  int bit_count = 0;
+  std::size_t written = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::int8_t value = kValues[static_cast<unsigned char>(text[i])];
+    if (value < 0) uri.fail(fmt::format("its base64 data has a character that is not base64, number {}", i));
+    bits = bits << 6 | static_cast<std::uint32_t>(value);
+    bit_count += 6;
+    if (bit_count < 8) continue;
+    bit_count -= 8;
+    decoded[written++] = static_cast<std::byte>(bits >> bit_count & 0xffu);
+  }
+  return decoded;
+}
+
+// RFC 2397: data:[type][;parameter=value]*[;base64],data
+std::vector<std::byte> data_uri_bytes(const Value& uri, std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) uri.fail("is a data URI without a comma before its data");
+  std::string_view header = text.substr(0, comma);
+  const std::string_view data = text.substr(comma + 1);
+  constexpr std::string_view kBase64 = ";base64";
+  const bool base64 = header.ends_with(kBase64);
+  if (base64) header.remove_suffix(kBase64.size());
+  for (std::size_t at = header.find(';'); at != std::string_view::npos;) {
+    const std::size_t next = header.find(';', at + 1);
+    if (header.substr(at, next - at).find('=') == std::string_view::npos) {
+      uri.fail("is a data URI with a parameter that has no '='");
+    }
+    at = next;
+  }
+  if (!base64) {
+    const std::string decoded = percent_decoded(uri, data);
+    const auto bytes = std::as_bytes(std::span(decoded));
+    return {bytes.begin(), bytes.end()};
+  }
+  // Some writers percent-encode the '+', '/' and '=' of base64.
+  if (data.find('%') == std::string_view::npos) return base64_decoded(uri, data);
+  return base64_decoded(uri, percent_decoded(uri, data));
+}
+
+bool is_inside(const fs::path& folder, const fs::path& file) {
+  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+}
+
+// The folder's and the file's places with every `..` and link resolved.
+fs::path resolved_file(const Value& uri, const fs::path& relative, const GltfOptions& options) {
+  std::error_code folder_error, file_error;
+  const fs::path base = uri.file().has_parent_path() ? uri.file().parent_path() : fs::path(".");
+  const fs::path folder = fs::canonical(base, folder_error);
+  const fs::path file = fs::weakly_canonical(base / relative, file_error);
+  if (folder_error || file_error) {
+    throw Error(ErrorCode::input_missing, uri.file(),
+                fmt::format("{}: cannot find '{}': {}", uri.pointer(), relative.string(),
+                            (file_error ? file_error : folder_error).message()));
+  }
+  if (!options.allow_outside_files && !is_inside(folder, file)) {
+    uri.fail(fmt::format("names '{}', outside the folder of the scene; move the file there, or allow outside files",
+                         relative.string()));
+  }
+  return file;
+}
+
+std::vector<std::byte> file_uri_bytes(const Value& uri, std::string_view text, const GltfOptions& options,
+                                      std::uint64_t max_bytes) {
+  const std::string_view first_segment = text.substr(0, text.find('/'));
+  if (first_segment.find(':') != std::string_view::npos) {
+    uri.fail("has a scheme; only data URIs and relative file names are read");
+  }
+  if (text.empty() || text.starts_with("//")) uri.fail("names no file");
+  const std::string name = percent_decoded(uri, text);
+  if (name.find('\0') != std::string::npos) uri.fail("holds a zero byte");
+  const fs::path file = resolved_file(uri, fs::path(name), options);
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::is_regular_file(status)) {  // devices and pipes could block for ever
+    throw Error(ErrorCode::input_missing, uri.file(),
+                fmt::format("{}: '{}' {}", uri.pointer(), name,
+                            fs::exists(status) ? "is not a regular file" : "does not exist; put it beside the scene"));
+  }
+  return read_file(file, max_bytes);
+}
+
+}  // namespace
+
+std::vector<std::byte> load_uri(const Value& uri, const GltfOptions& options, std::uint64_t max_bytes) {
+  const std::string_view text = uri.text();
+  if (!text.starts_with(kDataScheme)) return file_uri_bytes(uri, text, options, max_bytes);
+  if (text.size() > max_bytes) uri.fail(fmt::format("its data exceeds the limit of {} bytes", max_bytes));
+  return data_uri_bytes(uri, text.substr(kDataScheme.size()));
+}
+
+}  // namespace velarium::scene::gltf
