@@ -32,6 +32,11 @@ void Context::bind(const gpu::Pipeline& pipeline) const {
 
 SetWriter Context::set(const gpu::Pipeline& pipeline, std::uint32_t set) const { return {*this, pipeline, set}; }
 
+void Context::bind_set(const gpu::Pipeline& pipeline, std::uint32_t set, const gpu::Bindings& bindings) const {
+  const VkDescriptorSet descriptors = tools_.descriptors.make(pipeline, set, bindings);
+  vkCmdBindDescriptorSets(commands_, pipeline.bind_point(), pipeline.layout(), set, 1, &descriptors, 0, nullptr);
+}
+
 void Context::push(const gpu::Pipeline& pipeline, std::span<const std::byte> bytes) const {
   const VkShaderStageFlags stages = pipeline.bind_point() == VK_PIPELINE_BIND_POINT_COMPUTE
                                         ? VK_SHADER_STAGE_COMPUTE_BIT
@@ -102,9 +107,6 @@ SetWriter& SetWriter::buffer(std::uint32_t binding, const gpu::Buffer& buffer) {
   return *this;
 }
 
-void SetWriter::bind() {
-  const VkDescriptorSet set = context_.tools().descriptors.make(pipeline_, set_, bindings_);
-  vkCmdBindDescriptorSets(context_.commands(), pipeline_.bind_point(), pipeline_.layout(), set_, 1, &set, 0, nullptr);
-}
+void SetWriter::bind() { context_.bind_set(pipeline_, set_, bindings_); }
 
 }  // namespace velarium::graph

@@ -39,6 +39,7 @@ class Context {
   void bind(const gpu::Pipeline& pipeline) const;
   // Collects and binds one descriptor set: c.set(p, 0).sampled(0, depth).storage(1, out).bind();
   [[nodiscard]] SetWriter set(const gpu::Pipeline& pipeline, std::uint32_t set) const;
+  void bind_set(const gpu::Pipeline& pipeline, std::uint32_t set, const gpu::Bindings& bindings) const;
   void push(const gpu::Pipeline& pipeline, std::span<const std::byte> bytes) const;
   template <class T>
   void push(const gpu::Pipeline& pipeline, const T& values) const {

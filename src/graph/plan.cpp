@@ -1,15 +1,26 @@
 #include "graph/plan.hpp"
 
+#include <velarium/error.hpp>
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
 namespace velarium::graph {
 namespace {
+
+// Stages and accesses of one barrier, which only together say who sees a write.
+struct Visibility {
+  VkPipelineStageFlags2 stages = 0;
+  VkAccessFlags2 access = 0;
+};
 
 // What the device has done to a resource so far.
 struct State {
   VkPipelineStageFlags2 write_stages = 0;   // of the last write, and of barriers since, to chain on
   VkAccessFlags2 write_access = 0;
   VkPipelineStageFlags2 read_stages = 0;    // that read since the last write: the next write waits for them
-  VkPipelineStageFlags2 seen_stages = 0;    // to which the last write was made visible
-  VkAccessFlags2 seen_access = 0;
+  std::vector<Visibility> seen;             // to which the last write was made visible
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 
@@ -18,6 +29,12 @@ struct Combined {
   AccessInfo info{};
   bool write = false, used = false;
 };
+
+// An image has one layout at a time: a pass that needs two of them could not run.
+void refuse_two_layouts(const Pass& pass, const std::string& image, const Combined& combined, const AccessInfo& info) {
+  if (combined.used && combined.info.layout != info.layout)
+    throw Error(ErrorCode::internal, fmt::format("pass '{}' uses '{}' in two image layouts", pass.name(), image));
+}
 
 void add_use(Combined& combined, const AccessInfo& info, bool write) {
   combined.info.stages |= info.stages;
@@ -29,7 +46,9 @@ void add_use(Combined& combined, const AccessInfo& info, bool write) {
 }
 
 bool already_visible(const State& state, const AccessInfo& info) {
-  return (info.stages & ~state.seen_stages) == 0 && (info.reads & ~state.seen_access) == 0;
+  return std::any_of(state.seen.begin(), state.seen.end(), [&](const Visibility& seen) {
+    return (info.stages & ~seen.stages) == 0 && (info.reads & ~seen.access) == 0;
+  });
 }
 
 // The barrier that `use` needs in this state, if any; `layouts`: the resource is an image.
@@ -42,7 +61,9 @@ bool transition(State& state, const Combined& use, bool layouts, PlannedBarrier&
     out.src_stages = state.write_stages;
     // A relayout writes, and so does a write: both wait for those who still read.
     if (use.write || relayout) out.src_stages |= state.read_stages;
-    out.src_access = state.write_access;
+    // Whoever has read made a barrier that flushed the write: to wait for the readers is then enough.
+    const bool flushed = use.write && state.read_stages != 0;
+    out.src_access = flushed ? 0 : state.write_access;
     out.dst_stages = use.info.stages;
     out.dst_access = access;
     out.old_layout = state.layout;
@@ -51,11 +72,15 @@ bool transition(State& state, const Combined& use, bool layouts, PlannedBarrier&
   if (use.write) {
     state = {.write_stages = use.info.stages, .write_access = use.info.writes};
   } else {
-    if (relayout) state.seen_stages = state.seen_access = state.read_stages = 0;
+    if (relayout) {
+      state.seen.clear();
+      state.read_stages = 0;
+    }
     // Later barriers must chain on this one, which carried the write (and the relayout) to these stages.
-    if (needed) state.write_stages |= use.info.stages;
-    state.seen_stages |= use.info.stages;
-    state.seen_access |= use.info.reads;
+    if (needed) {
+      state.write_stages |= use.info.stages;
+      state.seen.push_back({use.info.stages, use.info.reads});
+    }
     state.read_stages |= use.info.stages;
   }
   if (layouts) state.layout = use.info.layout;
@@ -92,8 +117,10 @@ std::vector<PlannedPass> plan(const Graph& graph) {
   for (const auto& pass : graph.passes()) {
     std::vector<Combined> image_uses(images.size()), buffer_uses(buffers.size());
     for (const auto& use : pass.image_uses()) {
-      const bool depth = gpu::has_depth(graph.images()[use.index].desc.format);
-      add_use(image_uses[use.index], access_info(use.access, depth), use.write);
+      const auto& image = graph.images()[use.index];
+      const AccessInfo info = access_info(use.access, gpu::has_depth(image.desc.format));
+      refuse_two_layouts(pass, image.name, image_uses[use.index], info);
+      add_use(image_uses[use.index], info, use.write);
     }
     for (const auto& use : pass.buffer_uses())
       add_use(buffer_uses[use.index], access_info(use.access, false), use.write);

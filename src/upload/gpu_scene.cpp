@@ -1,0 +1,108 @@
+#include "upload/gpu_scene.hpp"
+
+#include "core/jobs.hpp"
+#include "upload/materials.hpp"
+#include "upload/transfer.hpp"
+
+#include <algorithm>
+
+namespace velarium::upload {
+namespace {
+
+constexpr VkBufferUsageFlags kVertexUsage = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
+
+// Vertices of many primitives, one after the other.
+struct PackedStreams {
+  std::vector<glm::vec3> positions;
+  std::vector<PackedAttributes> attributes;
+
+  std::int32_t reserve(std::size_t vertices) {
+    const auto first = static_cast<std::int32_t>(positions.size());
+    positions.resize(positions.size() + vertices);
+    attributes.resize(positions.size());
+    return first;
+  }
+  void fill(std::int32_t first, const scene::Scene& scene, const scene::Primitive& primitive,
+            const scene::VertexFrames& frames) {
+    std::copy(frames.positions.begin(), frames.positions.end(), positions.begin() + first);
+    const auto& material = material_or_default(scene, primitive.material);
+    pack_attributes(primitive, frames, uv_choice(material),
+                    std::span(attributes).subspan(static_cast<std::size_t>(first), frames.positions.size()));
+  }
+};
+
+}  // namespace
+
+GpuScene::GpuScene(gpu::Device& device, const scene::Scene& scene)
+    : device_(device),
+      scene_(scene),
+      textures_(device, scene),
+      materials_(make_buffer(device, gpu_materials(scene), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT)) {
+  upload_geometry();
+}
+
+void GpuScene::upload_geometry() {
+  PackedStreams streams;
+  std::vector<std::uint32_t> indices;
+  std::size_t index_count = 0;
+  for (const auto& primitive : scene_.primitives) {
+    ranges_.push_back({static_cast<std::uint32_t>(index_count), static_cast<std::uint32_t>(primitive.indices.size()),
+                       streams.reserve(primitive.vertex_count())});
+    index_count += primitive.indices.size();
+  }
+  indices.resize(index_count);
+  parallel_for(scene_.primitives.size(), [&](std::size_t i) {
+    const auto& primitive = scene_.primitives[i];
+    streams.fill(ranges_[i].first_vertex, scene_, primitive, primitive.vertices);
+    std::copy(primitive.indices.begin(), primitive.indices.end(), indices.begin() + ranges_[i].first_index);
+  });
+  fixed_ = {make_buffer(device_, streams.positions, kVertexUsage),
+            make_buffer(device_, streams.attributes, kVertexUsage)};
+  indices_ = make_buffer(device_, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
+}
+
+void GpuScene::set_deformed(const scene::Moment& moment) {
+  deformed_first_.assign(moment.deformed.size(), 0);
+  if (moment.deformed.empty()) return;
+  PackedStreams streams;
+  for (std::size_t i = 0; i < moment.deformed.size(); ++i)
+    deformed_first_[i] = streams.reserve(moment.deformed[i].positions.size());
+  for (const auto& instance : moment.instances) {
+    if (instance.deformed == scene::kNone) continue;
+    const auto i = static_cast<std::size_t>(instance.deformed);
+    streams.fill(deformed_first_[i], scene_, scene_.primitives[instance.primitive], moment.deformed[i]);
+  }
+  deformed_ = {make_buffer(device_, streams.positions, kVertexUsage),
+               make_buffer(device_, streams.attributes, kVertexUsage)};
+}
+
+void GpuScene::bind_vertices(VkCommandBuffer commands, bool deformed) const {
+  const auto& streams = deformed ? deformed_ : fixed_;
+  const std::array buffers{streams.positions.vk(), streams.attributes.vk()};
+  const std::array<VkDeviceSize, 2> offsets{0, 0};
+  vkCmdBindVertexBuffers(commands, kPositionStream, 2, buffers.data(), offsets.data());
+  vkCmdBindIndexBuffer(commands, indices_.vk(), 0, VK_INDEX_TYPE_UINT32);
+}
+
+void GpuScene::draw(VkCommandBuffer commands, const Draw& draw) const {
+  const auto& range = ranges_[draw.primitive];
+  const std::int32_t first_vertex =
+      draw.deformed == scene::kNone ? range.first_vertex : deformed_first_[static_cast<std::size_t>(draw.deformed)];
+  vkCmdDrawIndexed(commands, range.index_count, draw.object_count, range.first_index, first_vertex, draw.first_object);
+}
+
+gpu::Bindings material_bindings(gpu::SamplerCache& samplers, const SceneTables& tables, std::uint32_t material) {
+  const auto& scene = tables.gpu->scene();
+  const bool is_default = material == scene.materials.size();
+  const auto slots =
+      slots_of(material_or_default(scene, is_default ? scene::kNone : static_cast<std::int32_t>(material)));
+  gpu::Bindings bindings;
+  for (std::uint32_t slot = 0; slot < kSlotCount; ++slot) {
+    const auto bound = tables.gpu->textures().bound(*slots[slot], slot);
+    bindings.sampled(slot, bound.image->view(),
+                     samplers.get(sampler_desc(bound.sampler, tables.anisotropy, tables.texture_lod_bias)));
+  }
+  return bindings;
+}
+
+}  // namespace velarium::upload

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "gpu/toolbox.hpp"
+#include "scene/moment.hpp"
+#include "upload/draws.hpp"
+#include "upload/textures.hpp"
+#include "upload/vertices.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace velarium::upload {
+
+// The parts of a scene that do not change with time or camera, on the device.
+// The scene tables must outlive it.
+class GpuScene {
+ public:
+  GpuScene(gpu::Device& device, const scene::Scene& scene);
+
+  [[nodiscard]] const scene::Scene& scene() const { return scene_; }
+  [[nodiscard]] const Textures& textures() const { return textures_; }
+  [[nodiscard]] const gpu::Buffer& materials() const { return materials_; }
+
+  // Replaces the deformed vertices by those of this moment.
+  void set_deformed(const scene::Moment& moment);
+
+  // Binds the vertex streams (the shared ones, or the deformed ones) and the indices.
+  void bind_vertices(VkCommandBuffer commands, bool deformed) const;
+  void draw(VkCommandBuffer commands, const Draw& draw) const;
+
+ private:
+  struct Range {
+    std::uint32_t first_index = 0, index_count = 0;
+    std::int32_t first_vertex = 0;
+  };
+  struct Streams {
+    gpu::Buffer positions, attributes;
+  };
+  void upload_geometry();
+
+  gpu::Device& device_;
+  const scene::Scene& scene_;
+  Textures textures_;
+  gpu::Buffer materials_;
+  Streams fixed_, deformed_;
+  gpu::Buffer indices_;
+  std::vector<Range> ranges_;                    // by primitive
+  std::vector<std::int32_t> deformed_first_;     // by index into Moment::deformed
+};
+
+// What one picture draws: the view of a moment from one eye, on the device.
+struct SceneTables {
+  const GpuScene* gpu = nullptr;
+  DrawList draws;
+  gpu::Buffer objects;        // ObjectData
+  gpu::Buffer lights;         // GpuLight
+  gpu::Buffer light_bounds;   // view space spheres
+  std::uint32_t light_count = 0;
+  gpu::Buffer frame;          // FrameUniforms, mapped: rewritten before each frame
+  float texture_lod_bias = 0.0f;
+  float anisotropy = 1.0f;
+};
+
+// Binds the textures of a material as descriptor set 2.
+[[nodiscard]] gpu::Bindings material_bindings(gpu::SamplerCache& samplers, const SceneTables& tables,
+                                              std::uint32_t material);
+
+}  // namespace velarium::upload

@@ -1,0 +1,47 @@
+#include "upload/lights.hpp"
+
+#include <cmath>
+
+namespace velarium::upload {
+namespace {
+
+float gpu_kind(scene::LightKind kind) {
+  switch (kind) {
+    case scene::LightKind::directional: return shading::kLightDirectional;
+    case scene::LightKind::point: return shading::kLightPoint;
+    case scene::LightKind::spot: return shading::kLightSpot;
+  }
+  return shading::kLightPoint;
+}
+
+glm::vec4 bounding_sphere(const GpuLight& light) {
+  const float radius = shading::light_cull_radius(light);
+  const glm::vec3 position(light.position_range);
+  if (!shading::is_spot(light)) return {position, radius};
+  return shading::spot_bounding_sphere(position, glm::vec3(light.direction), radius, light.cone.z);
+}
+
+}  // namespace
+
+std::vector<GpuLight> gpu_lights(const std::vector<scene::LightInstance>& lights, const glm::dvec3& eye) {
+  std::vector<GpuLight> result;
+  for (const auto& [light, position, direction] : lights) {
+    const glm::vec2 cone = shading::spot_scale_offset(light.inner_cone, light.outer_cone);
+    result.push_back({.position_range = glm::vec4(glm::vec3(glm::dvec3(position) - eye), light.range),
+                      .direction = glm::vec4(direction, gpu_kind(light.kind)),
+                      .color = glm::vec4(light.color * light.intensity, 0.0f),
+                      .cone = {cone.x, cone.y, std::cos(light.outer_cone), 0.0f}});
+  }
+  return result;
+}
+
+std::vector<glm::vec4> light_bounds(const std::vector<GpuLight>& lights, const glm::mat3& view_from_world) {
+  std::vector<glm::vec4> result;
+  for (const auto& light : lights) {
+    const glm::vec4 sphere = bounding_sphere(light);
+    result.emplace_back(view_from_world * glm::vec3(sphere), sphere.w);
+  }
+  return result;
+}
+
+}  // namespace velarium::upload

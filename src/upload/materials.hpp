@@ -1,0 +1,23 @@
+#pragma once
+
+#include "scene/scene.hpp"
+#include "upload/gpu_structs.hpp"
+#include "upload/vertices.hpp"
+
+#include <vector>
+
+namespace velarium::upload {
+
+// The texture coordinate sets that a material reads. More than two distinct ones do not fit a vertex.
+[[nodiscard]] UvChoice uv_choice(const scene::Material& material);
+
+// The materials of the scene in order, then the default one, which kNone stands for.
+[[nodiscard]] std::vector<GpuMaterial> gpu_materials(const scene::Scene& scene);
+
+// Index into gpu_materials().
+[[nodiscard]] std::uint32_t material_index(const scene::Scene& scene, std::int32_t material);
+
+// The scene's material, or the default one.
+[[nodiscard]] const scene::Material& material_or_default(const scene::Scene& scene, std::int32_t material);
+
+}  // namespace velarium::upload

@@ -1,0 +1,86 @@
+#include "upload/textures.hpp"
+
+#include "upload/transfer.hpp"
+
+#include <velarium/error.hpp>
+
+#include <fmt/core.h>
+
+namespace velarium::upload {
+namespace {
+
+constexpr std::array<std::uint8_t, 4> kWhite{255, 255, 255, 255};
+
+VkSamplerAddressMode address_mode(scene::Wrap wrap) {
+  switch (wrap) {
+    case scene::Wrap::repeat: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    case scene::Wrap::mirrored_repeat: return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    case scene::Wrap::clamp_to_edge: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  }
+  return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+}
+
+VkFilter filter(scene::Filter f) { return f == scene::Filter::nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR; }
+
+ImageSource image_source(const scene::Image& image, bool srgb) {
+  return {{.format = srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
+           .width = image.width,
+           .height = image.height,
+           .mips = gpu::full_mip_count(image.width, image.height)},
+          std::as_bytes(std::span(image.rgba))};
+}
+
+}  // namespace
+
+std::array<const scene::TextureRef*, kSlotCount> slots_of(const scene::Material& m) {
+  return {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture,        &m.occlusion_texture,
+          &m.emissive_texture,   &m.specular_texture,           &m.specular_color_texture};
+}
+
+bool slot_is_srgb(std::uint32_t slot) {
+  return slot == kSlotBaseColor || slot == kSlotEmissive || slot == kSlotSpecularColor;
+}
+
+gpu::SamplerDesc sampler_desc(const scene::Sampler& sampler, float anisotropy, float lod_bias) {
+  const bool smooth = sampler.min == scene::Filter::linear && sampler.mag == scene::Filter::linear && sampler.mipmapped;
+  return {.mag = filter(sampler.mag),
+          .min = filter(sampler.min),
+          .mip = sampler.mip == scene::Filter::nearest ? VK_SAMPLER_MIPMAP_MODE_NEAREST : VK_SAMPLER_MIPMAP_MODE_LINEAR,
+          .wrap_u = address_mode(sampler.wrap_u),
+          .wrap_v = address_mode(sampler.wrap_v),
+          .mipmapped = sampler.mipmapped,
+          .anisotropy = smooth ? anisotropy : 1.0f,
+          .lod_bias = lod_bias};
+}
+
+Textures::Textures(gpu::Device& device, const scene::Scene& scene) : scene_(scene) {
+  std::vector<ImageSource> sources;
+  for (const auto& material : scene.materials) {
+    const auto slots = slots_of(material);
+    for (std::uint32_t slot = 0; slot < kSlotCount; ++slot) {
+      if (!slots[slot]->present()) continue;
+      const std::int32_t number = scene.textures[static_cast<std::size_t>(slots[slot]->texture)].image;
+      if (number == scene::kNone) continue;
+      const auto& image = scene.images[static_cast<std::size_t>(number)];
+      if (std::max(image.width, image.height) > device.caps().max_image_size)
+        throw Error(ErrorCode::input_invalid, scene.source,
+                    fmt::format("/images/{}: {}x{} pixels, the device takes {} a side", number, image.width,
+                                image.height, device.caps().max_image_size));
+      const bool srgb = slot_is_srgb(slot);
+      if (index_.emplace(std::pair{number, srgb}, sources.size()).second) sources.push_back(image_source(image, srgb));
+    }
+  }
+  sources.push_back({{.format = VK_FORMAT_R8G8B8A8_UNORM}, std::as_bytes(std::span(kWhite))});
+  images_ = make_images(device, sources);
+}
+
+Textures::Bound Textures::bound(const scene::TextureRef& ref, std::uint32_t slot) const {
+  if (ref.present()) {
+    const auto& texture = scene_.textures[static_cast<std::size_t>(ref.texture)];
+    const auto found = index_.find({texture.image, slot_is_srgb(slot)});
+    if (found != index_.end()) return {&images_[found->second], texture.sampler};
+  }
+  return {&images_.back(), {}};
+}
+
+}  // namespace velarium::upload

@@ -1,0 +1,142 @@
+#include "upload/transfer.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace velarium::upload {
+namespace {
+
+// Staging memory of one batch. A single larger image makes a batch of its own.
+constexpr VkDeviceSize kBatchBytes = VkDeviceSize{64} << 20;
+
+// Enough for every texel size that we upload (16 bytes), as vkCmdCopyBufferToImage wants offsets aligned to it.
+constexpr VkDeviceSize kCopyAlignment = 16;
+
+constexpr VkImageUsageFlags kUsage =
+    VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+
+struct MipBarrier {
+  VkPipelineStageFlags2 dst_stages;
+  VkAccessFlags2 src_access, dst_access;
+  VkImageLayout old_layout, new_layout;
+};
+
+void barrier(VkCommandBuffer commands, const gpu::Image& image, std::uint32_t mip, std::uint32_t mips,
+             const MipBarrier& b) {
+  const VkImageMemoryBarrier2 info{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+                                   .srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                                   .srcAccessMask = b.src_access,
+                                   .dstStageMask = b.dst_stages,
+                                   .dstAccessMask = b.dst_access,
+                                   .oldLayout = b.old_layout,
+                                   .newLayout = b.new_layout,
+                                   .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                   .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                   .image = image.vk(),
+                                   .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, mip, mips, 0, image.desc().layers}};
+  const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                    .imageMemoryBarrierCount = 1,
+                                    .pImageMemoryBarriers = &info};
+  vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+VkOffset3D mip_corner(const gpu::ImageDesc& desc, std::uint32_t mip) {
+  return {static_cast<std::int32_t>(std::max(desc.width >> mip, 1u)),
+          static_cast<std::int32_t>(std::max(desc.height >> mip, 1u)), 1};
+}
+
+void blit_mip(VkCommandBuffer commands, const gpu::Image& image, std::uint32_t mip) {
+  const auto& desc = image.desc();
+  const VkImageBlit2 region{.sType = VK_STRUCTURE_TYPE_IMAGE_BLIT_2,
+                            .srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip - 1, 0, desc.layers},
+                            .srcOffsets = {{0, 0, 0}, mip_corner(desc, mip - 1)},
+                            .dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, mip, 0, desc.layers},
+                            .dstOffsets = {{0, 0, 0}, mip_corner(desc, mip)}};
+  const VkBlitImageInfo2 blit{.sType = VK_STRUCTURE_TYPE_BLIT_IMAGE_INFO_2,
+                              .srcImage = image.vk(),
+                              .srcImageLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                              .dstImage = image.vk(),
+                              .dstImageLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                              .regionCount = 1,
+                              .pRegions = &region,
+                              .filter = VK_FILTER_LINEAR};
+  vkCmdBlitImage2(commands, &blit);
+}
+
+void record_upload(VkCommandBuffer commands, gpu::Image& image, VkBuffer staging, VkDeviceSize offset) {
+  const auto& desc = image.desc();
+  constexpr VkAccessFlags2 kWrite = VK_ACCESS_2_TRANSFER_WRITE_BIT, kRead = VK_ACCESS_2_TRANSFER_READ_BIT;
+  constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+  constexpr VkImageLayout kSrc = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kDst = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+  barrier(commands, image, 0, desc.mips, {kTransfer, 0, kWrite, VK_IMAGE_LAYOUT_UNDEFINED, kDst});
+  const VkBufferImageCopy copy{.bufferOffset = offset,
+                               .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, desc.layers},
+                               .imageExtent = {desc.width, desc.height, 1}};
+  vkCmdCopyBufferToImage(commands, staging, image.vk(), kDst, 1, &copy);
+  for (std::uint32_t mip = 1; mip < desc.mips; ++mip) {
+    barrier(commands, image, mip - 1, 1, {kTransfer, kWrite, kRead, kDst, kSrc});
+    blit_mip(commands, image, mip);
+  }
+  constexpr VkPipelineStageFlags2 kShaders =
+      VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+  constexpr VkImageLayout kSampled = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+  constexpr VkAccessFlags2 kSample = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
+  if (desc.mips > 1) barrier(commands, image, 0, desc.mips - 1, {kShaders, kRead, kSample, kSrc, kSampled});
+  barrier(commands, image, desc.mips - 1, 1, {kShaders, kWrite, kSample, kDst, kSampled});
+  image.layout = kSampled;
+}
+
+VkDeviceSize staged_size(const ImageSource& source) {
+  return (source.texels.size() + kCopyAlignment - 1) / kCopyAlignment * kCopyAlignment;
+}
+
+// Uploads sources[first, last) from one staging buffer.
+void upload_batch(gpu::Device& device, std::span<const ImageSource> sources, std::span<gpu::Image> images) {
+  VkDeviceSize total = 0;
+  for (const auto& source : sources) total += staged_size(source);
+  const gpu::Buffer staging(device, total, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, gpu::MemoryUse::upload);
+  const VkCommandBuffer commands = device.begin();
+  VkDeviceSize offset = 0;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    std::memcpy(staging.mapped().data() + offset, sources[i].texels.data(), sources[i].texels.size());
+    record_upload(commands, images[i], staging.vk(), offset);
+    offset += staged_size(sources[i]);
+  }
+  device.submit_and_wait(commands);
+}
+
+}  // namespace
+
+gpu::Buffer make_buffer(gpu::Device& device, std::span<const std::byte> bytes, VkBufferUsageFlags usage) {
+  if (device.caps().host_is_device) {
+    gpu::Buffer buffer(device, bytes.size(), usage, gpu::MemoryUse::upload);
+    if (!bytes.empty()) std::memcpy(buffer.mapped().data(), bytes.data(), bytes.size());
+    return buffer;
+  }
+  gpu::Buffer buffer(device, bytes.size(), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::MemoryUse::device);
+  if (bytes.empty()) return buffer;
+  const gpu::Buffer staging(device, bytes.size(), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, gpu::MemoryUse::upload);
+  std::memcpy(staging.mapped().data(), bytes.data(), bytes.size());
+  const VkCommandBuffer commands = device.begin();
+  const VkBufferCopy copy{.size = bytes.size()};
+  vkCmdCopyBuffer(commands, staging.vk(), buffer.vk(), 1, &copy);
+  device.submit_and_wait(commands);
+  return buffer;
+}
+
+std::vector<gpu::Image> make_images(gpu::Device& device, std::span<const ImageSource> sources) {
+  std::vector<gpu::Image> images;
+  images.reserve(sources.size());
+  for (const auto& source : sources) images.emplace_back(device, source.desc, kUsage);
+  for (std::size_t first = 0; first < sources.size();) {
+    std::size_t last = first;
+    VkDeviceSize bytes = 0;
+    while (last < sources.size() && (last == first || bytes + staged_size(sources[last]) <= kBatchBytes))
+      bytes += staged_size(sources[last++]);
+    upload_batch(device, sources.subspan(first, last - first), std::span(images).subspan(first, last - first));
+    first = last;
+  }
+  return images;
+}
+
+}  // namespace velarium::upload
