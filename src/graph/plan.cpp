@@ -17,10 +17,10 @@ struct Visibility {
 
 // What the device has done to a resource so far.
 struct State {
-  VkPipelineStageFlags2 write_stages = 0;   // of the last write, and of barriers since, to chain on
+  VkPipelineStageFlags2 write_stages = 0;  // of the last write, and of barriers since, to chain on
   VkAccessFlags2 write_access = 0;
-  VkPipelineStageFlags2 read_stages = 0;    // that read since the last write: the next write waits for them
-  std::vector<Visibility> seen;             // to which the last write was made visible
+  VkPipelineStageFlags2 read_stages = 0;  // that read since the last write: the next write waits for them
+  std::vector<Visibility> seen;           // to which the last write was made visible
   VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 
