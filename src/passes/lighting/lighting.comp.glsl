@@ -1,0 +1,139 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+// Tiled deferred lighting [Schulz 2014, Ryse]: one compute shader finds the lights of each 16x16 tile and shades it.
+// A tile keeps a light when its sphere passes the side planes, the box and the 32-slice depth mask; the list is a bit
+// mask in light order, so that sums are the same on every run and equal to a loop over all lights.
+
+#include "shading/gbuffer.glsl"
+#include "shading/tile_culling.glsl"
+#include "upload/gpu_structs.glsl"
+
+layout(local_size_x = 16, local_size_y = 16) in;   // kTileSize
+
+layout(set = 0, binding = 0, std430) readonly buffer FrameBuffer { FrameUniforms frame; };
+layout(set = 0, binding = 1) uniform sampler2D rt0;
+layout(set = 0, binding = 2) uniform sampler2D rt1;
+layout(set = 0, binding = 3) uniform sampler2D rt2;
+layout(set = 0, binding = 4) uniform sampler2D depth_map;
+layout(set = 0, binding = 5) uniform usampler2D class_map;
+layout(set = 0, binding = 6, rgba16f) uniform image2D hdr;       // in: emissive; out: the lit picture
+layout(set = 0, binding = 7) uniform sampler2D background_map;   // equirectangular
+layout(set = 0, binding = 8, std430) readonly buffer BoundsBuffer { vec4 light_bounds[]; };
+layout(set = 0, binding = 9, std430) writeonly buffer TileBuffer { uint forward_lists[]; };
+
+#include "upload/frame_lighting.glsl"
+
+layout(constant_id = 4) const uint kTiled = 1u;          // 0: every light at every pixel
+layout(constant_id = 5) const uint kForwardLists = 0u;   // 1: write the lists that transparent surfaces need
+layout(constant_id = 6) const uint kLights = 1u;         // 0: the scene has none
+
+shared uint tile_min, tile_max;      // bits of positive floats, which order as the floats do
+shared uint tile_depth_mask;
+shared uint tile_lights[kMaxLights / 32u];
+
+const float kMaxRadiance = 65504.0;  // of the half floats that the picture is kept in
+
+bool light_reaches(TileVolume tile, uint index) {
+  vec4 bounds = light_bounds[index];
+  if (!tile_overlaps_sphere(tile, bounds.xyz, bounds.w)) return false;
+  float depth = -bounds.z;
+  return (depth_mask_range(depth - bounds.w, depth + bounds.w, tile.z_min, tile.z_max) & tile_depth_mask) != 0u;
+}
+
+void find_tile_lights(bool covered, float depth) {
+  uint thread = gl_LocalInvocationIndex;
+  uint words = (frame.light_count + 31u) / 32u;
+  if (thread == 0u) {
+    tile_min = 0x7f7fffffu;
+    tile_max = 0u;
+    tile_depth_mask = 0u;
+  }
+  for (uint i = thread; i < words; i += 256u) tile_lights[i] = 0u;
+  barrier();
+  if (covered) {
+    atomicMin(tile_min, floatBitsToUint(depth));
+    atomicMax(tile_max, floatBitsToUint(depth));
+  }
+  barrier();
+  float z_min = uintBitsToFloat(tile_min), z_max = uintBitsToFloat(tile_max);
+  bool empty = tile_max == 0u;
+  if (covered) atomicOr(tile_depth_mask, depth_mask_bit(depth, z_min, z_max));
+  barrier();
+
+  vec2 corner = vec2(gl_WorkGroupID.xy * kTileSize);
+  vec2 ndc_min = corner * frame.size.zw * 2.0 - 1.0;
+  vec2 ndc_max = (corner + float(kTileSize)) * frame.size.zw * 2.0 - 1.0;
+  TileVolume tile = tile_volume(ndc_min, ndc_max, empty ? 0.0 : z_min, z_max, frame.ndc_to_view, frame.perspective);
+  for (uint i = thread; i < frame.light_count && !empty; i += 256u)
+    if (light_reaches(tile, i)) atomicOr(tile_lights[i / 32u], 1u << (i % 32u));
+
+  if (kForwardLists != 0u) {
+    // Transparent surfaces stand before everything, and before the sky at any depth.
+    TileVolume before = tile_volume(ndc_min, ndc_max, 0.0, kUnboundedRadius, frame.ndc_to_view, frame.perspective);
+    uint base = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * words;
+    for (uint word = thread; word < words; word += 256u) {
+      uint bits = 0u;
+      for (uint bit = 0u; bit < 32u && word * 32u + bit < frame.light_count; ++bit) {
+        vec4 bounds = light_bounds[word * 32u + bit];
+        if (tile_overlaps_sphere_no_near(before, bounds.xyz, bounds.w)) bits |= 1u << bit;
+      }
+      forward_lists[base + word] = bits;
+    }
+  }
+  barrier();
+}
+
+vec3 punctual_lights(ShadingPoint p) {
+  vec3 sum = vec3(0.0);
+  if (kTiled == 0u) {
+    for (uint i = 0u; i < frame.light_count; ++i) sum += punctual_light(p, i);
+    return sum;
+  }
+  uint words = (frame.light_count + 31u) / 32u;
+  for (uint word = 0u; word < words; ++word) {
+    for (uint bits = tile_lights[word]; bits != 0u; bits &= bits - 1u) {
+      sum += punctual_light(p, word * 32u + uint(findLSB(bits)));
+    }
+  }
+  return sum;
+}
+
+vec4 background(vec2 ndc) {
+  if (frame.environment.w == 0.0) return frame.background;
+  vec3 far_vs = view_position(ndc, 1.0, frame.ndc_to_view, 1.0);
+  // Orthographic views look along one direction: the background is then a single point of the environment.
+  vec3 direction_vs = frame.perspective > 0.5 ? normalize(far_vs) : vec3(0.0, 0.0, -1.0);
+  vec3 direction_ws = transpose(mat3(frame.view_from_world)) * direction_vs;
+  vec2 uv = equirect_uv(to_environment(direction_ws, frame));
+  return vec4(min(textureLod(background_map, uv, 0.0).rgb * frame.environment.x, kMaxRadiance), 1.0);
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  bool inside = all(lessThan(vec2(pixel), frame.size.xy));
+  float device_depth = inside ? texelFetch(depth_map, pixel, 0).r : 0.0;
+  bool covered = device_depth > 0.0;
+  float depth = covered ? view_depth(device_depth, frame.depth_params) : 0.0;
+  if (kLights != 0u && (kTiled != 0u || kForwardLists != 0u)) find_tile_lights(covered, depth);
+  if (!inside) return;
+
+  vec2 ndc = (vec2(pixel) + 0.5) * frame.size.zw * 2.0 - 1.0;
+  if (!covered) {
+    imageStore(hdr, pixel, background(ndc));
+    return;
+  }
+  uint material_class = texelFetch(class_map, pixel, 0).r & 3u;
+  if (material_class == kClassUnlit) return;
+
+  GBufferTexel texel = GBufferTexel(texelFetch(rt0, pixel, 0), texelFetch(rt1, pixel, 0), texelFetch(rt2, pixel, 0));
+  vec3 position_vs = view_position(ndc, depth, frame.ndc_to_view, frame.perspective);
+  vec3 wo_vs = frame.perspective > 0.5 ? -normalize(position_vs) : vec3(0.0, 0.0, 1.0);
+  mat3 world_from_view = transpose(mat3(frame.view_from_world));
+  ShadingPoint p =
+      shading_point(gbuffer_decode(texel, material_class), world_from_view * position_vs, world_from_view * wo_vs);
+
+  vec3 light = imageLoad(hdr, pixel).rgb + environment_light(p, frame);
+  if (kLights != 0u) light += punctual_lights(p);
+  imageStore(hdr, pixel, vec4(min(light, kMaxRadiance), 1.0));
+}

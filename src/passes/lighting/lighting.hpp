@@ -1,0 +1,37 @@
+#pragma once
+
+#include "graph/graph.hpp"
+#include "upload/gpu_scene.hpp"
+
+#include <velarium/settings.hpp>
+
+namespace velarium::lighting {
+
+using Settings = velarium::Settings::lighting_settings;
+
+// Distant light, ready to be sampled.
+struct Environment {
+  const gpu::Image& background;        // equirectangular; a black texel where there is none
+  const gpu::Image& specular;          // cube of pre-convolved levels; black where there is none
+  const gpu::Image& brdf_table;        // E0, E1 by (n.v, smoothness), of the model in use
+  bool present = false;
+};
+
+struct Inputs {
+  const upload::SceneTables& scene;
+  const Environment& environment;
+  graph::GraphImage rt0, rt1, rt2, depth, hdr;
+};
+
+struct Outputs {
+  graph::GraphImage hdr;               // lit; premultiplied by the coverage in alpha
+  graph::GraphBuffer forward_lists;    // bit masks in light order, tile after tile; version 0 where nothing needs them
+};
+
+// Lights a tile's list holds at the most. More lights than that are refused by the frame.
+[[nodiscard]] Outputs add(graph::Graph& graph, const Inputs& in, const Settings& settings);
+
+// Constants 0..3 of upload/frame_lighting.glsl, which the forward pass shares.
+[[nodiscard]] gpu::Specialization shading_constants(const Settings& settings, bool environment);
+
+}  // namespace velarium::lighting

@@ -1,0 +1,75 @@
+// Light on a surface: what the tiled pass and the forward pass share. GLSL only.
+// The includer defines, before: FrameUniforms frame; the textures and the light table below are bound in set 1.
+#ifndef VEL_UPLOAD_FRAME_LIGHTING_GLSL
+#define VEL_UPLOAD_FRAME_LIGHTING_GLSL
+
+#include "shading/brdf.glsl"
+#include "shading/environment.glsl"
+#include "upload/gpu_structs.glsl"
+
+layout(set = 1, binding = 0) uniform samplerCube environment_map;      // pre-convolved levels
+layout(set = 1, binding = 1) uniform sampler2D environment_brdf_table; // E0, E1 by (n.v, smoothness)
+layout(set = 1, binding = 2, std430) readonly buffer LightBuffer { GpuLight lights[]; };
+
+layout(constant_id = 0) const uint kModel = 0u;            // kModelGltf, kModelRyse
+layout(constant_id = 1) const uint kMultiScatter = 1u;
+layout(constant_id = 2) const uint kOcclusion = 1u;
+layout(constant_id = 3) const uint kEnvironment = 1u;      // 0: there is none
+
+// What does not depend on the light.
+struct ShadingPoint {
+  Surface surface;
+  vec3 position_ws;
+  vec3 wo;
+  float alpha;
+  vec3 specular_scale;
+  vec2 env_brdf;
+};
+
+ShadingPoint shading_point(Surface surface, vec3 position_ws, vec3 wo) {
+  ShadingPoint p;
+  p.surface = surface;
+  p.position_ws = position_ws;
+  p.wo = wo;
+  p.alpha = alpha_from_smoothness(surface.smoothness);
+  float n_dot_v = clamp(abs(dot(surface.normal_ws, wo)), 0.0, 1.0);
+  p.env_brdf = textureLod(environment_brdf_table, vec2(n_dot_v, surface.smoothness), 0.0).rg;
+  p.specular_scale = kMultiScatter != 0u ? energy_compensation(surface.f0, p.env_brdf) : vec3(1.0);
+  return p;
+}
+
+// World to the environment's own axes: a turn about +Y.
+vec3 to_environment(vec3 d, FrameUniforms frame) {
+  float c = frame.environment.y, s = frame.environment.z;
+  return vec3(c * d.x + s * d.z, d.y, c * d.z - s * d.x);
+}
+
+// What occlusion leaves of the mirror direction [Lagarde & de Rousiers 2014, "Moving Frostbite to PBR", listing 26].
+float specular_occlusion(float n_dot_v, float occlusion, float alpha) {
+  return clamp(pow(n_dot_v + occlusion, exp2(-16.0 * alpha - 1.0)) - 1.0 + occlusion, 0.0, 1.0);
+}
+
+vec3 environment_light(ShadingPoint p, FrameUniforms frame) {
+  if (kEnvironment == 0u) return vec3(0.0);
+  Surface s = p.surface;
+  vec3 normal = to_environment(s.normal_ws, frame);
+  vec3 coefficients[9];
+  for (uint i = 0u; i < 9u; ++i) coefficients[i] = frame.sh[i].rgb;
+  vec3 irradiance = sh_irradiance(coefficients, normal);
+
+  vec3 mirrored = to_environment(reflect(-p.wo, s.normal_ws), frame);
+  vec3 radiance = textureLod(environment_map, mirrored, level_of_smoothness(s.smoothness)).rgb;
+  vec3 specular = environment_specular(s.f0, f90_from_f0(s.f0), p.env_brdf) * p.specular_scale;
+  float n_dot_v = clamp(abs(dot(s.normal_ws, p.wo)), 0.0, 1.0);
+  float occlusion = kOcclusion != 0u ? s.occlusion : 1.0;
+  vec3 diffuse = s.albedo * environment_diffuse_weight(s.f0, specular, kModel) * irradiance * occlusion;
+  return frame.environment.x * (diffuse + specular * radiance * specular_occlusion(n_dot_v, occlusion, p.alpha));
+}
+
+vec3 punctual_light(ShadingPoint p, uint index) {
+  LightSample light = sample_light(lights[index], p.position_ws);
+  float alpha = max(p.alpha, kMinAlphaPunctual);
+  return evaluate_brdf(p.surface, alpha, p.wo, light.wi, p.specular_scale, kModel) * light.irradiance;
+}
+
+#endif
