@@ -200,7 +200,7 @@ Share share_of(const std::vector<Face>& faces, std::uint32_t number, std::uint32
   const glm::vec3& here = mesh.positions[vertex];
   const glm::vec3 to_last = in_plane(mesh.positions[face.vertex[(share.corner + 2) % 3]] - here, normal);
   const glm::vec3 to_next = in_plane(mesh.positions[face.vertex[(share.corner + 1) % 3]] - here, normal);
-  share.angle = std::acos(std::clamp(glm::dot(to_last, to_next), -1.0f, 1.0f));
+  share.angle = static_cast<float>(std::acos(static_cast<double>(std::clamp(glm::dot(to_last, to_next), -1.0f, 1.0f))));
   return share;
 }
 
