@@ -25,6 +25,9 @@ struct OptionInfo {
 // All options, in the order of the table.
 [[nodiscard]] std::span<const OptionInfo> option_table();
 
+// What values an option takes: "from 1 to 65536 frames", "gltf, ryse" or "on, off".
+[[nodiscard]] std::string option_range(const OptionInfo& option);
+
 // One line about a group ("lighting"), or an empty view.
 [[nodiscard]] std::string_view option_group_help(std::string_view group);
 

@@ -24,6 +24,9 @@ struct Picture {
 
   // Throws what save() would throw for a reason that can be seen beforehand, so that nobody renders for nothing.
   static void check_destination(const std::filesystem::path& file);
+
+  // Whether save() needs `linear` for this ending, or else `display`. Throws Error(usage) for an unknown ending.
+  [[nodiscard]] static bool stores_linear(const std::filesystem::path& file);
 };
 
 }  // namespace velarium

@@ -88,4 +88,8 @@ void Picture::check_destination(const fs::path& file) {
   check_writable(file);
 }
 
+bool Picture::stores_linear(const fs::path& file) {
+  return ending_of(file).linear;
+}
+
 }  // namespace velarium

@@ -174,6 +174,10 @@ void write_file(const fs::path& file, std::span<const std::byte> data) {
   temporary.place();
 }
 
+void write_text(const fs::path& file, std::string_view text) {
+  write_file(file, std::as_bytes(std::span(text)));
+}
+
 void check_writable(const fs::path& file) {
   if (file.empty()) throw Error(ErrorCode::output_not_written, "the name of the file to write is empty");
   const fs::path target = behind_links(file);

@@ -20,9 +20,6 @@ namespace velarium {
 // written in place. Throws Error(output_not_written) with the system's reason.
 void write_file(const std::filesystem::path& file, std::span<const std::byte> data);
 
-// Throws what write_file() would throw for a reason that can be seen beforehand, writing nothing.
-void check_writable(const std::filesystem::path& file);
-
 // $XDG_CACHE_HOME/velarium, else ~/.cache/velarium; empty where neither variable is set.
 // The directory need not exist. Cache users treat every failure as a miss.
 [[nodiscard]] std::filesystem::path cache_directory();

@@ -25,16 +25,6 @@ struct Row {
   throw Error(ErrorCode::usage, fmt::format("{}: '{}' is not {}", key, value, expected));
 }
 
-// "from 1 to 65536 frames"
-std::string range_text(const OptionInfo& info) {
-  // Reals were written as floats in the table: as floats they print as they were written.
-  std::string text = fmt::format("from {} to {}", static_cast<float>(info.minimum), static_cast<float>(info.maximum));
-  if (info.type == OptionType::integer) {
-    text = fmt::format("from {} to {}", static_cast<long long>(info.minimum), static_cast<long long>(info.maximum));
-  }
-  return info.unit.empty() ? text : fmt::format("{} {}", text, info.unit);
-}
-
 bool parse_bool(std::string_view key, std::string_view text) {
   if (text == "on" || text == "true" || text == "1") return true;
   if (text == "off" || text == "false" || text == "0") return false;
@@ -50,7 +40,7 @@ Number parse_number(const OptionInfo& info, std::string_view text) {
   const auto wide = static_cast<double>(value);
   // Written so that a NaN is refused as well.
   if (!whole_text || !(wide >= info.minimum && wide <= info.maximum)) {
-    refuse(info.key, text, (std::is_integral_v<Number> ? "a whole number " : "a number ") + range_text(info));
+    refuse(info.key, text, (std::is_integral_v<Number> ? "a whole number " : "a number ") + option_range(info));
   }
   return value;
 }
@@ -154,6 +144,18 @@ std::span<const OptionInfo> option_table() {
     return table;
   }();
   return kTable;
+}
+
+std::string option_range(const OptionInfo& option) {
+  if (option.type == OptionType::boolean) return "on, off";
+  if (option.type == OptionType::choice) return fmt::format("{}", fmt::join(option.choices, ", "));
+  // Reals were written as floats in the table: as floats they print as they were written.
+  std::string text =
+      option.type == OptionType::real
+          ? fmt::format("from {} to {}", static_cast<float>(option.minimum), static_cast<float>(option.maximum))
+          : fmt::format("from {} to {}", static_cast<long long>(option.minimum),
+                        static_cast<long long>(option.maximum));
+  return option.unit.empty() ? text : fmt::format("{} {}", text, option.unit);
 }
 
 std::string_view option_group_help(std::string_view group) {

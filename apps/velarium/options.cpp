@@ -1,0 +1,44 @@
+#include "verbs.hpp"
+
+#include "console.hpp"
+
+#include <velarium/options.hpp>
+
+#include <fmt/core.h>
+
+namespace velarium::app {
+namespace {
+
+// A bar would end a cell of a Markdown table.
+std::string cell(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '|' ? "\\|" : std::string(1, c);
+  return escaped;
+}
+
+std::string options_as_markdown() {
+  std::string text =
+      "# Options\n\nWritten by `velarium options` from `include/velarium/options.def`. Each is set by `-D KEY=VALUE` "
+      "or, "
+      "in a file that `--config` names, by `name = value` in the table of its group.\n";
+  std::string_view group;
+  for (const OptionInfo& option : option_table()) {
+    const std::string_view its_group = option.key.substr(0, option.key.find('.'));
+    if (its_group != group) {
+      group = its_group;
+      text += fmt::format("\n## {}: {}\n\n| key | values | default | what it does |\n|---|---|---|---|\n", group,
+                          option_group_help(group));
+    }
+    text += fmt::format("| `{}` | {} | {} | {} |\n", option.key, cell(option_range(option)), option.default_text,
+                        cell(option.help));
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_options(CLI::App& app) {
+  add_verb(app, "options", "print the table of options, as Markdown", [] { print(options_as_markdown()); });
+}
+
+}  // namespace velarium::app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "flags.hpp"
+
+#include <velarium/velarium.hpp>
+
+#include <optional>
+#include <string>
+
+namespace velarium::app {
+
+// What render and bench have in common: which view of a scene, with which settings, on which device.
+struct View {
+  RenderRequest request;
+  EngineOptions engine;
+  LoadOptions load;
+  std::optional<std::array<float, 3>> eye, target, up;
+  std::optional<float> fov_deg;
+};
+
+// Declares the flags that fill `view`.
+void add_view_flags(Flags& flags, View& view);
+
+// Makes the camera of --eye and its companions. Throws Error(usage) where they contradict each other.
+void finish_view(View& view);
+
+// -q and -v.
+void add_verbosity_flags(CLI::App& verb);
+
+}  // namespace velarium::app
