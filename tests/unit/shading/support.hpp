@@ -63,7 +63,7 @@ inline double angle_degrees(const vec3& a, const vec3& b) {
   return degrees(std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)));
 }
 
-// The best-fit length k of one direction, searched in double [gbuffer notes: build()].
+// The best-fit length k of one direction, searched in double.
 inline int best_fit_length(const vec3& direction) {
   const glm::dvec3 n = glm::dvec3(glm::abs(direction)) / static_cast<double>(max_component(glm::abs(direction)));
   double best = 2.0;
