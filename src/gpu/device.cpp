@@ -94,7 +94,8 @@ void Device::create_device() {
                                       .pQueuePriorities = &priority};
   VkPhysicalDeviceVulkan13Features v13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
                                        .synchronization2 = VK_TRUE,
-                                       .dynamicRendering = VK_TRUE};
+                                       .dynamicRendering = VK_TRUE,
+                                       .maintenance4 = VK_TRUE};  // SPIR-V 1.6 says group sizes by LocalSizeId
   const VkPhysicalDeviceFeatures2 features{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2,
                                            .pNext = &v13,
                                            .features = {.robustBufferAccess = has.robustBufferAccess,
