@@ -36,11 +36,10 @@ ConfigEntry entry_of(std::string_view table, std::string_view key, const toml::n
 }
 
 toml::table parse(const std::filesystem::path& file) {
+  if (std::filesystem::is_directory(file)) throw Error(ErrorCode::input_missing, file, "is a directory");
   std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in.good() || std::filesystem::is_directory(file)) {
-    throw Error(ErrorCode::input_missing, file, fmt::format("cannot be read: {}", std::strerror(errno)));
-  }
+  if (!in) throw Error(ErrorCode::input_missing, file, fmt::format("cannot be opened: {}", std::strerror(errno)));
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {

@@ -36,6 +36,10 @@ ProgressStyle parse_progress(const std::string& name) {
   throw Error(ErrorCode::usage, fmt::format("'{}' is not one of auto, bar, plain, json, none", name));
 }
 
+Progress::~Progress() {
+  if (bar_shown_) std::fputs("\r\033[K", stderr);
+}
+
 void Progress::update(std::uint32_t done, std::uint32_t of) {
   if (style_ == ProgressStyle::none || !due(done == of)) return;
   const double left = seconds_left(done, of);
@@ -51,11 +55,6 @@ void Progress::update(std::uint32_t done, std::uint32_t of) {
     bar_shown_ = true;
   }
   std::fflush(stderr);
-}
-
-void Progress::finish() {
-  if (bar_shown_) fmt::print(stderr, "\r\033[K");
-  bar_shown_ = false;
 }
 
 double Progress::seconds_left(std::uint32_t done, std::uint32_t of) const {

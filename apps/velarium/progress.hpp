@@ -15,10 +15,12 @@ enum class ProgressStyle { none, bar, plain, json };
 class Progress {
  public:
   explicit Progress(ProgressStyle style) : style_(style) {}
+  // Takes the bar away, so that the next line starts clean.
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
 
   void update(std::uint32_t done, std::uint32_t of);
-  // Takes the bar away, so that the next line starts clean.
-  void finish();
 
  private:
   using Clock = std::chrono::steady_clock;

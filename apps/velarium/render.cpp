@@ -119,7 +119,6 @@ RenderResult Render::render_frames(const Scene& scene) {
     progress.update(done, of);
   };
   RenderResult result = engine.render(scene, request);
-  progress.finish();
   check_interrupt();
   phases_.emplace_back("render", phase_.lap_ms());
   return result;

@@ -1,0 +1,193 @@
+"""What the program does with a device: pictures, reports, progress, signals."""
+
+import json
+import signal
+import time
+
+from harness import (CliTest, INTERRUPTED, MISSING, NO_DEVICE, OK, SMALL, TERMINATED, USAGE, main, needs_device, read_png,
+                     triangle_gltf)
+
+LAMP = {"extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "intensity": 3.0}]}},
+        "extensionsUsed": ["KHR_lights_punctual"],
+        "nodes": [{"mesh": 0, "extensions": {"KHR_lights_punctual": {"light": 0}}}]}
+
+
+def total(png):
+    return sum(sum(row) for row in read_png(png)[3])
+
+
+@needs_device
+class Pictures(CliTest):
+    def test_the_default_output_is_the_scenes_name(self):
+        self.expect(OK, *SMALL)
+        self.assertEqual(self.names(), ["spheres.png"])
+        self.write("a.gltf", triangle_gltf())
+        self.expect(OK, "a.gltf", *SMALL)
+        self.assertEqual(self.names(), ["a.gltf", "a.png", "spheres.png"])
+
+    def test_the_size_is_what_was_asked(self):
+        width, height, channels, rows = read_png(self.render())
+        self.assertEqual((width, height, channels, len(rows)), (48, 32, 3, 32))
+
+    def test_a_picture_is_not_blank(self):
+        *_, rows = read_png(self.render())
+        self.assertGreater(len({row[i:i + 3] for row in rows for i in range(0, len(row), 3)}), 100)
+
+    def test_two_runs_are_equal_bytes(self):
+        for name in ("a.png", "a.exr", "a.jpg", "a.webp", "a.hdr"):
+            self.assertEqual(self.render(output=name).read_bytes(), self.render(output="again-" + name).read_bytes(), name)
+
+    def test_every_format_has_its_signature(self):
+        signatures = {"a.png": b"\x89PNG", "a.jpg": b"\xff\xd8\xff", "a.jpeg": b"\xff\xd8\xff", "a.webp": b"RIFF",
+                      "a.exr": b"\x76\x2f\x31\x01", "a.hdr": b"#?RADIANCE", "A.PNG": b"\x89PNG"}
+        for name, start in signatures.items():
+            self.assertTrue(self.render(output=name).read_bytes().startswith(start), name)
+
+    def test_sixteen_bits(self):
+        path = self.render("-D", "output.bits=16")
+        self.assertEqual(path.read_bytes()[24], 16)
+
+    def test_a_transparent_background_has_straight_alpha(self):
+        # White before nothing: edge pixels are partly covered, and as white as the others.
+        white = {"doubleSided": True, "extensions": {"KHR_materials_unlit": {}}}
+        mesh = {"primitives": [{"attributes": {"POSITION": 0}, "material": 0}]}
+        self.write("a.gltf", triangle_gltf(materials=[white], meshes=[mesh], extensionsUsed=["KHR_materials_unlit"]))
+        path = self.render("a.gltf", "--background", "transparent", "--spp", "16", "--tonemap", "linear", "--env", "none",
+                           "-D", "display.dither=off")
+        _, _, channels, rows = read_png(path)
+        self.assertEqual(channels, 4)
+        pixels = [row[i:i + 4] for row in rows for i in range(0, len(row), 4)]
+        alphas = {pixel[3] for pixel in pixels}
+        self.assertTrue({0, 255} <= alphas and len(alphas) > 2, alphas)
+        for pixel in pixels:
+            if pixel[3] >= 16:
+                self.assertGreaterEqual(min(pixel[:3]), 250, pixel)
+
+    def test_a_coloured_background_is_that_colour(self):
+        _, _, _, rows = read_png(self.render("--background", "#3366cc"))
+        self.assertEqual(tuple(rows[0][:3]), (0x33, 0x66, 0xcc))
+
+    def test_quiet_says_nothing(self):
+        code, out, err = self.run_velarium("render", *SMALL, "-q", "-o", "a.png")
+        self.assertEqual((code, out, err), (OK, "", ""))
+
+    def test_the_last_line_says_what_was_written(self):
+        out = self.expect(OK, "render", *SMALL, "-o", "a.png")
+        self.assertRegex(out, r"^wrote a\.png: 48 x 32, [\d.]+ k?B, 1 frame of .* on .+\n$")
+
+
+@needs_device
+class Flags(CliTest):
+    """Every flag changes what it says, or is accepted where nothing is to be seen."""
+
+    def test_flags_that_change_the_picture(self):
+        base = self.render().read_bytes()
+        for flags in (["--exposure", "1"], ["--exposure", "auto"], ["--ev100", "2"], ["--tonemap", "agx"],
+                      ["--tonemap", "aces"], ["--tonemap", "linear"], ["--env", "none"], ["--env-rotate", "90"],
+                      ["--env-intensity", "2"], ["--spp", "2"], ["--eye", "1,2,9", "--fov", "60"],
+                      ["--eye", "1,2,9", "--target", "0,1,0", "--up", "1,0,0"], ["--background", "#ff0000"],
+                      ["-D", "lighting.model=ryse"], ["-D", "display.exposure=1"]):
+            self.assertNotEqual(self.render(*flags).read_bytes(), base, flags)
+
+    def test_flags_that_do_not(self):
+        base = self.render().read_bytes()
+        for flags in (["--env-rotate", "0"], ["--camera", ""], ["-D", "frame.sync=paranoid"], ["--time", "0"],
+                      ["--device", "0"], ["--allow-outside-files"], ["--progress", "none"], ["-v"]):
+            self.assertEqual(self.render(*flags).read_bytes(), base, flags)
+
+    def test_cameras_animations_and_environments_that_are_not_there(self):
+        self.expect(USAGE, "render", *SMALL, "--camera", "nobody", says="nobody")
+        self.expect(USAGE, "render", *SMALL, "--animation", "nothing", says="nothing")
+        self.expect(MISSING, "render", *SMALL, "--env", "none.hdr", says="none.hdr")
+        self.expect(NO_DEVICE, "render", *SMALL, "--device", "abacus", says="abacus")
+        self.assertEqual(self.names(), [])
+
+    def test_light_and_exposure(self):
+        self.write("a.gltf", triangle_gltf(**LAMP))
+        dim = self.render("a.gltf", "--exposure", "-2", "--tonemap", "linear")
+        bright = self.render("a.gltf", "--exposure", "0", "--tonemap", "linear", output="bright.png")
+        self.assertGreater(total(bright), 1.5 * total(dim))
+
+    def test_a_configuration_file_and_flags_after_it(self):
+        self.write("c.toml", "[render]\nsize = '48x32'\noutput = 'c.png'\n[frame]\nspp = 1\n[display]\nexposure = 1\n")
+        self.expect(OK, "render", "--config", "c.toml")
+        self.assertEqual((self.folder / "c.png").read_bytes(), self.render("--exposure", "1").read_bytes())
+        self.expect(OK, "render", "--config", "c.toml", "--exposure", "0", "-o", "d.png")
+        self.assertEqual((self.folder / "d.png").read_bytes(), self.render().read_bytes())
+
+
+@needs_device
+class Reports(CliTest):
+    def check_timings(self, timings):
+        self.assertEqual((timings["width"], timings["height"], timings["spp"], timings["frames"]), (48, 32, 3, 3))
+        self.assertGreater(timings["frame_ms"], 0)
+        self.assertGreater(len(timings["passes"]), 1)
+        for one in timings["passes"]:
+            self.assertTrue(one["name"] and one["ms"] >= 0, one)
+        self.assertTrue(timings["device"])
+        self.assertGreater(timings["phases"]["render_ms"], 0)
+
+    def test_timings_in_a_file_and_on_standard_output(self):
+        self.expect(OK, "render", *SMALL, "--spp", "3", "--timings", "t.json")
+        self.check_timings(json.loads((self.folder / "t.json").read_text()))
+        self.check_timings(json.loads(self.expect(OK, "render", *SMALL, "--spp", "3", "--timings", "-")))
+
+    def test_dumps(self):
+        self.expect(USAGE, "render", *SMALL, "--dump", "no.such=d.png", says="no.such")
+        self.assertEqual(self.names(), [])
+
+    def test_progress(self):
+        _, _, err = self.run_velarium("render", *SMALL, "--spp", "3", "--progress", "json")
+        lines = [json.loads(line) for line in err.splitlines() if line.startswith("{")]
+        self.assertEqual([(line["frame"], line["of"]) for line in lines], [(1, 3), (2, 3), (3, 3)])
+        _, _, err = self.run_velarium("render", *SMALL, "--spp", "3", "--progress", "plain")
+        self.assertIn("frame 3 of 3", err)
+        _, _, err = self.run_velarium("render", *SMALL, "--spp", "3", "--progress", "bar")
+        self.assertIn("\x1b[K[##########....", err)
+        _, _, err = self.run_velarium("render", *SMALL, "--spp", "3", "--progress", "none")
+        self.assertNotIn("frame", err)
+
+    def test_devices(self):
+        devices = json.loads(self.expect(OK, "devices", "--json"))
+        for device in devices:
+            self.assertEqual(device["usable"], device["why_not"] == "", device)
+        self.assertIn(devices[0]["name"], self.expect(OK, "devices"))
+
+    def test_bench(self):
+        names = self.expect(OK, "bench", "--list").split()
+        self.assertIn("builtin:spheres", names)
+        arguments = ["bench", "builtin:spheres", "--size", "48x32", "--frames", "3", "--warm-up", "1"]
+        self.assertIn("frame on the device", self.expect(OK, *arguments))
+        bench = json.loads(self.expect(OK, *arguments, "--json", "-"))
+        self.assertEqual((bench["width"], bench["height"], bench["frames"], bench["warm_up"]), (48, 32, 3, 1))
+        self.assertEqual([scene["scene"] for scene in bench["scenes"]], ["builtin:spheres"])
+        self.assertGreater(bench["scenes"][0]["frame_ms"], 0)
+        self.assertGreater(bench["process_peak_bytes"], 1 << 20)
+        self.expect(OK, *arguments, "--json", "b.json")
+        self.assertEqual(json.loads((self.folder / "b.json").read_text())["frames"], 3)
+
+
+@needs_device
+class Signals(CliTest):
+    def interrupt(self, number):
+        process = self.start("render", "--size", "640x360", "--spp", "60000", "--progress", "json", "-o", "a.png")
+        process.stderr.readline()
+        process.send_signal(number)
+        process.communicate(timeout=60)
+        return process.returncode
+
+    def test_signals_leave_nothing(self):
+        self.assertEqual(self.interrupt(signal.SIGINT), INTERRUPTED)
+        self.assertEqual(self.interrupt(signal.SIGTERM), TERMINATED)
+        self.assertEqual(self.names(), [])
+
+    def test_an_ignored_signal_stays_ignored(self):
+        process = self.start(*SMALL, "--spp", "20", preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
+        time.sleep(0.1)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=600)
+        self.assertEqual(process.returncode, OK)
+
+
+if __name__ == "__main__":
+    main()
