@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks text that no compiler reads: left-over markers, dead code, and paths of one person's machine.
+"""Checks text that no compiler reads: left-over markers, dead code, paths of one person's machine, and that the C++ in
+README.md is that of an example, which a test compiles and runs.
 
 usage: check_words.py [ROOT]
 
@@ -43,9 +44,22 @@ def findings(root):
                         yield f"{path}:{number}: {pattern.search(line).group().strip() or 'white space'}: {advice}"
 
 
+def untested_examples(root):
+    """C++ in README.md that stands in no file of examples/."""
+    examples = ""
+    for folder, _, names in os.walk(os.path.join(root, "examples")):
+        for name in names:
+            with open(os.path.join(folder, name), encoding="utf-8") as file:
+                examples += file.read()
+    with open(os.path.join(root, "README.md"), encoding="utf-8") as file:
+        for block in re.findall(r"```cpp\n(.*?)```", file.read(), re.DOTALL):
+            if block not in examples:
+                yield "README.md: C++ that is in no file of examples/:\n" + block
+
+
 def main():
     root = sys.argv[1] if len(sys.argv) > 1 else os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
-    lines = list(findings(root))
+    lines = [*findings(root), *untested_examples(root)]
     for line in lines:
         print(line)
     return 1 if lines else 0
