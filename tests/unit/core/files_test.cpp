@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstring>
 #include <fstream>
 #include <string>
@@ -84,6 +86,20 @@ TEST_F(Files, WritingRefusesFoldersAndMissingFolders) {
   EXPECT_EQ(code_of([&] { check_writable(folder_ / "none" / "a"); }), ErrorCode::output_not_written);
   check_writable(folder_ / "a");
   EXPECT_EQ(entries(), 0u);
+}
+
+TEST_F(Files, AWriteThatFailsHalfwayLeavesTheOldFile) {
+  write_file(folder_ / "a", bytes("old"));
+  rlimit limit{};
+  ::getrlimit(RLIMIT_FSIZE, &limit);
+  const rlimit small{1024, limit.rlim_max};
+  const auto old_action = std::signal(SIGXFSZ, SIG_IGN);  // so that the write fails instead
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  EXPECT_EQ(code_of([&] { write_file(folder_ / "a", bytes(std::string(4096, 'x'))); }), ErrorCode::output_not_written);
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+  std::signal(SIGXFSZ, old_action);
+  EXPECT_EQ(text_of(folder_ / "a"), "old");
+  EXPECT_EQ(entries(), 1u);
 }
 
 TEST_F(Files, AFullDeviceIsReported) {
