@@ -12,6 +12,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace velarium::scene {
@@ -42,41 +43,59 @@ CameraInstance placed(const glm::vec3& eye, const glm::mat3& axes, float vertica
   return out;
 }
 
-bool is_finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+// Coordinates whose squares, and those of sums of a few, still are floats.
+bool is_measurable(const glm::vec3& v) {
+  constexpr float kFarthest = 1e15f;  // metres
+  return std::abs(v.x) < kFarthest && std::abs(v.y) < kFarthest && std::abs(v.z) < kFarthest;
 }
 
-// A box that a camera can be fitted to: never empty, and of some extent.
+// A box that a camera can be fitted to: of some extent on each axis, and not too small for floats to tell its corners
+// apart so far from the origin.
 Aabb solid(const Aabb& bounds) {
-  if (bounds.empty() || !is_finite(bounds.min) || !is_finite(bounds.max)) return {glm::vec3(-1.0f), glm::vec3(1.0f)};
+  constexpr float kThin = 1e-5f, kTellApart = 1e-6f;  // of the size; of the distance to the origin
+  constexpr float kHalfOfNothing = 0.5f;              // metres: what a single point is shown in
+  if (bounds.empty() || !is_measurable(bounds.min) || !is_measurable(bounds.max)) {
+    return {glm::vec3(-kHalfOfNothing), glm::vec3(kHalfOfNothing)};
+  }
   const glm::vec3 center = 0.5f * (bounds.min + bounds.max);
   const float size = glm::length(bounds.max - bounds.min);
-  // A point far from the origin still needs a box that its floats can tell from it.
-  const float least = std::max(1e-3f * size, 1e-4f * std::max(1.0f, glm::length(center)));
+  const float least = std::max(size > 0.0f ? kThin * size : kHalfOfNothing, kTellApart * glm::length(center));
   const glm::vec3 half = glm::max(0.5f * (bounds.max - bounds.min), glm::vec3(least));
   return {center - half, center + half};
 }
 
-// Along one axis of the picture: how far right (or up) and how far back the camera stands.
-struct Stand {
-  float across = 0.0f, back = 0.0f;
-};
+// The corners of a box along one axis of the picture: x across, z towards the camera.
+using Outline = std::array<glm::vec2, 8>;
 
-// A point (x, z) of view space is inside where |x - across| <= slope (back - z). The two planes that touch the points
-// meet in the nearest stand that sees them all, and it sees them centred.
-class Fit {
- public:
-  explicit Fit(float slope) : slope_(slope) {}
-  void add(float x, float z) {
-    high_ = std::max(high_, slope_ * z + x);
-    low_ = std::max(low_, slope_ * z - x);
+// How far back a camera must stand to see all corners within |x - across| <= slope * (back - z): where the two planes
+// that touch them from both sides meet.
+float distance_to_see(const Outline& corners, float slope) {
+  float right = -std::numeric_limits<float>::infinity(), left = right;
+  for (const glm::vec2& corner : corners) {
+    right = std::max(right, slope * corner.y + corner.x);
+    left = std::max(left, slope * corner.y - corner.x);
   }
-  [[nodiscard]] Stand stand() const { return {0.5f * (high_ - low_), 0.5f * (high_ + low_) / slope_}; }
+  return 0.5f * (right + left) / slope;
+}
 
- private:
-  float slope_;
-  float high_ = -std::numeric_limits<float>::infinity(), low_ = -std::numeric_limits<float>::infinity();
-};
+// Where across to stand at distance `back` so that the outermost corners are as far from the middle of the picture:
+// moving right moves every corner left, so halving the interval finds the balance.
+float centred(const Outline& corners, float back) {
+  constexpr int kRounds = 24;  // the bits of a float
+  const auto [first, last] = std::minmax_element(corners.begin(), corners.end(),
+                                                 [](const glm::vec2& a, const glm::vec2& b) { return a.x < b.x; });
+  float low = first->x, high = last->x;
+  for (int round = 0; round < kRounds; ++round) {
+    const float across = 0.5f * (low + high);
+    float left = 0.0f, right = 0.0f;
+    for (const glm::vec2& corner : corners) {
+      left = std::min(left, (corner.x - across) / (back - corner.y));
+      right = std::max(right, (corner.x - across) / (back - corner.y));
+    }
+    (right > -left ? low : high) = across;
+  }
+  return 0.5f * (low + high);
+}
 
 // Half heights and widths grow on one axis, so that a picture of another shape than the camera's shows all that the
 // camera frames, and nothing is stretched. Returns the factors for x and y.
@@ -132,20 +151,20 @@ CameraInstance fitted_camera(const Aabb& bounds, float aspect) {
                        std::cos(kFittedAzimuth) * std::cos(kFittedElevation));
   const glm::mat3 world_from_view = view_axes(back, {0, 1, 0});
   const float slope = std::tan(0.5f * kFittedFov) / kFittedMargin;
-  Fit horizontal(slope * aspect), vertical(slope);
+  Outline horizontal, vertical;
   float front = -std::numeric_limits<float>::infinity();
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::vec3 world((corner & 1) ? box.max.x : box.min.x, (corner & 2) ? box.max.y : box.min.y,
-                          (corner & 4) ? box.max.z : box.min.z);
-    const glm::vec3 view = glm::transpose(world_from_view) * (world - center);
-    horizontal.add(view.x, view.z);
-    vertical.add(view.y, view.z);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const glm::vec3 corner((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
+                           (i & 4) ? box.max.z : box.min.z);
+    const glm::vec3 view = glm::transpose(world_from_view) * (corner - center);
+    horizontal[i] = {view.x, view.z};
+    vertical[i] = {view.y, view.z};
     front = std::max(front, view.z);
   }
-  const Stand x = horizontal.stand(), y = vertical.stand();
-  const float z = std::max(x.back, y.back);
-  const glm::vec3 eye = center + world_from_view * glm::vec3(x.across, y.across, z);
-  const float z_near = 0.5f * (z - front);  // half way to the nearest corner of the box
+  const float back_off = std::max(distance_to_see(horizontal, slope * aspect), distance_to_see(vertical, slope));
+  const glm::vec3 stand(centred(horizontal, back_off), centred(vertical, back_off), back_off);
+  const glm::vec3 eye = center + world_from_view * stand;
+  const float z_near = 0.5f * (back_off - front);  // half way to the nearest corner of the box
   return placed(eye, world_from_view, kFittedFov, z_near, "auto");
 }
 

@@ -1,0 +1,295 @@
+#include "scene/moment.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace velarium::scene {
+namespace {
+
+constexpr float kRounding = 1e-5f;
+
+void expect_near(const glm::vec3& a, const glm::vec3& b, float tolerance = kRounding) {
+  EXPECT_LE(glm::length(a - b), tolerance)
+      << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' ' << b.z;
+}
+
+// One triangle in the plane z = 0, with normals and tangents.
+Primitive triangle() {
+  Primitive p;
+  p.vertices.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  p.vertices.normals.assign(3, {0, 0, 1});
+  p.vertices.tangents.assign(3, {1, 0, 0, 1});
+  p.indices = {0, 1, 2};
+  p.bounds = {{0, 0, 0}, {1, 1, 0}};
+  return p;
+}
+
+// A parent with a child; the child draws the triangle.
+Scene family() {
+  Scene scene;
+  scene.primitives.push_back(triangle());
+  scene.meshes.push_back({"triangle", {0}, {}});
+  scene.nodes.resize(2);
+  scene.nodes[0].children = {1};
+  scene.nodes[1].parent = 0;
+  scene.nodes[1].mesh = 0;
+  scene.roots = {0};
+  return scene;
+}
+
+const VertexFrames& deformed(const Moment& moment) {
+  return moment.deformed.at(static_cast<std::size_t>(moment.instances.at(0).deformed));
+}
+
+TEST(Aabb, TransformedBoundsTheTransformedCorners) {
+  const Aabb box{{-1, 0, 2}, {1, 3, 5}};
+  const glm::mat4 turn = glm::rotate(glm::mat4(1), glm::radians(90.0f), glm::vec3(0, 0, 1));
+  const Aabb out = box.transformed(glm::translate(glm::mat4(1), glm::vec3(10, 0, 0)) * turn);
+  expect_near(out.min, {7, -1, 2});  // x' = 10 - y, y' = x
+  expect_near(out.max, {10, 1, 5});
+  EXPECT_TRUE(Aabb{}.transformed(turn).empty());
+}
+
+TEST(Aabb, GrowsByPointsAndBoxesAndIgnoresEmptyOnes) {
+  Aabb box;
+  EXPECT_TRUE(box.empty());
+  box.add(glm::vec3(1, 2, 3));
+  box.add(Aabb{});
+  EXPECT_EQ(box.min, glm::vec3(1, 2, 3));
+  box.add(Aabb{{-1, -1, -1}, {0, 0, 0}});
+  EXPECT_EQ(box.min, glm::vec3(-1));
+  EXPECT_EQ(box.max, glm::vec3(1, 2, 3));
+}
+
+TEST(Moment, MultipliesParentsAndScalesBeforeTurningBeforeMoving) {
+  Scene scene = family();
+  scene.nodes[0].translation = {10, 0, 0};
+  scene.nodes[0].rotation = glm::angleAxis(glm::radians(90.0f), glm::vec3(0, 0, 1));
+  scene.nodes[1].scale = {2, 3, 4};
+  scene.nodes[1].translation = {0, 5, 0};
+  const Moment moment = moment_at(scene, 0, "");
+  ASSERT_EQ(moment.instances.size(), 1u);
+  const Instance& instance = moment.instances[0];
+  // (1,1,1) -> scaled (2,3,4) -> moved (2,8,4) -> turned (-8,2,4) -> moved (2,2,4)
+  expect_near(glm::vec3(instance.world_from_object * glm::vec4(1, 1, 1, 1)), {2, 2, 4});
+  EXPECT_EQ(instance.deformed, kNone);
+  EXPECT_EQ(instance.node, 1u);
+  EXPECT_FALSE(instance.mirrored);
+  expect_near(instance.bounds.min, {2, 0, 0});
+  expect_near(instance.bounds.max, {5, 2, 0});
+  expect_near(moment.bounds.min, instance.bounds.min);
+}
+
+TEST(Moment, UsesAMatrixAsItIs) {
+  Scene scene = family();
+  scene.nodes[1].matrix = glm::translate(glm::mat4(1), glm::vec3(1, 2, 3));
+  scene.nodes[1].translation = {100, 0, 0};
+  expect_near(glm::vec3(moment_at(scene, 0, "").instances[0].world_from_object[3]), {1, 2, 3});
+}
+
+TEST(Moment, KnowsMirroredInstances) {
+  Scene scene = family();
+  scene.nodes[0].scale = {-1, 1, 1};
+  EXPECT_TRUE(moment_at(scene, 0, "").instances[0].mirrored);
+  scene.nodes[1].scale = {1, 1, -2};
+  EXPECT_FALSE(moment_at(scene, 0, "").instances[0].mirrored);
+}
+
+TEST(Moment, DrawsOnlyTheShownSceneInNodeOrder) {
+  Scene scene = family();
+  scene.nodes.resize(5);
+  for (Node& node : scene.nodes) node.mesh = 0;
+  scene.roots = {3, 0};
+  const Moment moment = moment_at(scene, 0, "");
+  ASSERT_EQ(moment.instances.size(), 3u);
+  EXPECT_EQ(moment.instances[0].node, 0u);
+  EXPECT_EQ(moment.instances[1].node, 1u);
+  EXPECT_EQ(moment.instances[2].node, 3u);
+}
+
+TEST(Moment, OfNothingIsEmpty) {
+  const Moment moment = moment_at(Scene{}, 0, "");
+  EXPECT_TRUE(moment.bounds.empty());
+  EXPECT_TRUE(moment.instances.empty());
+}
+
+TEST(Moment, MovesAnimatedNodesWithTheirChildren) {
+  Scene scene = family();
+  const AnimationSampler s{Interpolation::linear, {0, 2}, {0, 0, 0, 8, 0, 0}, 3};
+  scene.animations.push_back({"a", {s}, {{0, 0, AnimatedPath::translation}}, 2});
+  expect_near(glm::vec3(moment_at(scene, 0.5f, "a").instances[0].world_from_object[3]), {2, 0, 0});
+}
+
+TEST(Moment, MorphsBeforeTheNodeTransform) {
+  Scene scene = family();
+  scene.nodes[1].translation = {0, 0, 5};
+  scene.nodes[1].weights = {0.5f, 2.0f};
+  auto& targets = scene.primitives[0].morph_targets;
+  targets.resize(3);  // the third has no weight
+  targets[0].positions.assign(3, {0, 0, 4});
+  targets[1].normals.assign(3, {0, 0.5f, 0});
+  targets[2].positions.assign(3, {1e9f, 0, 0});
+  const Moment moment = moment_at(scene, 0, "");
+  const VertexFrames& v = deformed(moment);
+  expect_near(v.positions[1], {1, 0, 2});
+  expect_near(v.normals[1], glm::normalize(glm::vec3(0, 1, 1)));
+  expect_near(glm::vec3(v.tangents[1]), {1, 0, 0});
+  expect_near(glm::vec3(moment.instances[0].world_from_object[3]), {0, 0, 5});
+  expect_near(moment.bounds.min, {0, 0, 7});
+  expect_near(moment.bounds.max, {1, 1, 7});
+}
+
+TEST(Moment, MorphedTangentsStayInThePlaneOfTheMorphedNormal) {
+  Scene scene = family();
+  scene.nodes[1].weights = {1};
+  scene.primitives[0].morph_targets.resize(1);
+  scene.primitives[0].morph_targets[0].normals.assign(3, {1, 0, 0});
+  const Moment moment = moment_at(scene, 0, "");
+  expect_near(glm::vec3(deformed(moment).tangents[0]), glm::normalize(glm::vec3(1, 0, -1)));
+}
+
+// Two joints; the triangle's three corners hang on the first, the second, and half on each.
+Scene skinned() {
+  Scene scene = family();
+  scene.nodes.resize(4);  // 2 and 3: joints
+  scene.roots = {0, 2, 3};
+  scene.nodes[1].skin = 0;
+  scene.nodes[1].translation = {1000, 1000, 1000};  // has no part in a skinned mesh
+  scene.skins.push_back({"skin", {2, 3}, {glm::mat4(1), glm::mat4(1)}});
+  Primitive& p = scene.primitives[0];
+  p.skin_sets = 1;
+  p.joints = {{0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}};
+  p.weights = {{1, 0, 0, 0}, {1, 0, 0, 0}, {0.5f, 0.5f, 0, 0}};
+  return scene;
+}
+
+TEST(Moment, SkinsBringVerticesToWorldSpace) {
+  Scene scene = skinned();
+  scene.nodes[2].translation = {0, 0, 2};
+  scene.nodes[3].translation = {0, 0, 6};
+  const Moment moment = moment_at(scene, 0, "");
+  EXPECT_EQ(moment.instances[0].world_from_object, glm::mat4(1));
+  const VertexFrames& v = deformed(moment);
+  expect_near(v.positions[0], {0, 0, 2});
+  expect_near(v.positions[1], {1, 0, 6});
+  expect_near(v.positions[2], {0, 1, 4});
+  expect_near(moment.bounds.min, {0, 0, 2});
+  expect_near(moment.bounds.max, {1, 1, 6});
+}
+
+TEST(Moment, SkinsAtTheBindPoseChangeNothing) {
+  Scene scene = skinned();
+  for (const std::uint32_t joint : {2u, 3u}) {
+    scene.nodes[joint].translation = {1, 2, static_cast<float>(joint)};
+    scene.nodes[joint].rotation = glm::angleAxis(0.3f * static_cast<float>(joint), glm::vec3(0, 1, 0));
+    const glm::mat4 world =
+        glm::translate(glm::mat4(1), scene.nodes[joint].translation) * glm::mat4_cast(scene.nodes[joint].rotation);
+    scene.skins[0].joint_from_object[joint - 2] = glm::inverse(world);
+  }
+  const Moment moment = moment_at(scene, 0, "");
+  for (std::size_t i = 0; i < 3; ++i) {
+    expect_near(deformed(moment).positions[i], scene.primitives[0].vertices.positions[i]);
+    expect_near(deformed(moment).normals[i], {0, 0, 1});
+  }
+}
+
+TEST(Moment, SkinsReadAllSetsOfJoints) {
+  Scene scene = skinned();
+  Primitive& p = scene.primitives[0];
+  p.skin_sets = 2;
+  p.joints.insert(p.joints.end(), 3, {1, 1, 1, 1});
+  for (glm::vec4& w : p.weights) w *= 0.25f;
+  p.weights.insert(p.weights.end(), 3, {0, 0, 0, 0.75f});
+  scene.nodes[3].translation = {0, 0, 4};
+  const Moment moment = moment_at(scene, 0, "");
+  expect_near(deformed(moment).positions[0], {0, 0, 3});
+  expect_near(deformed(moment).positions[1], {1, 0, 4});
+  expect_near(deformed(moment).positions[2], {0, 1, 3.5f});
+}
+
+// A surface tilted by 45 degrees, stretched along x by 2: its normal follows the inverse transpose.
+TEST(Moment, SkinnedNormalsStayPerpendicularUnderNonUniformScale) {
+  Scene scene = skinned();
+  scene.primitives[0].vertices.normals.assign(3, glm::normalize(glm::vec3(1, 0, 1)));
+  scene.primitives[0].vertices.tangents.assign(3, glm::vec4(glm::normalize(glm::vec3(1, 0, -1)), 1));
+  for (const std::uint32_t joint : {2u, 3u}) scene.nodes[joint].scale = {2, 1, 1};
+  const Moment moment = moment_at(scene, 0, "");
+  for (std::size_t i = 0; i < 3; ++i) {
+    expect_near(deformed(moment).normals[i], glm::normalize(glm::vec3(1, 0, 2)));
+    expect_near(glm::vec3(deformed(moment).tangents[i]), glm::normalize(glm::vec3(2, 0, -1)));
+  }
+}
+
+// Mirrored in x: a normal along z and the bitangent's direction in space stay as they are.
+TEST(Moment, MirroringJointsKeepNormalsOutAndTurnTheFrame) {
+  Scene scene = skinned();
+  for (const std::uint32_t joint : {2u, 3u}) scene.nodes[joint].scale = {-1, 1, 1};
+  const Moment moment = moment_at(scene, 0, "");
+  EXPECT_TRUE(moment.instances[0].mirrored);
+  const glm::vec3 n = deformed(moment).normals[0];
+  const glm::vec4 t = deformed(moment).tangents[0];
+  expect_near(n, {0, 0, 1});
+  expect_near(glm::vec3(t), {-1, 0, 0});
+  expect_near(t.w * glm::cross(n, glm::vec3(t)), {0, 1, 0});
+}
+
+TEST(Moment, DeformsMeshesOfManyRangesWhole) {
+  constexpr std::size_t kCount = 10001;
+  Scene scene = family();
+  Primitive& p = scene.primitives[0];
+  p.vertices = {};
+  for (std::size_t i = 0; i < kCount; ++i) p.vertices.positions.push_back(glm::vec3(static_cast<float>(i)));
+  p.topology = Topology::points;
+  p.morph_targets.resize(1);
+  p.morph_targets[0].positions.assign(kCount, {0, 1, 0});
+  scene.nodes[1].weights = {1};
+  const Moment moment = moment_at(scene, 0, "");
+  ASSERT_EQ(deformed(moment).positions.size(), kCount);
+  EXPECT_TRUE(deformed(moment).normals.empty());
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const float x = static_cast<float>(i);
+    ASSERT_EQ(deformed(moment).positions[i], glm::vec3(x, x + 1, x));
+  }
+}
+
+TEST(Moment, LightsShineAlongMinusZOfTheirNode) {
+  Scene scene = family();
+  scene.lights.resize(1);
+  scene.nodes[1].name = "lamp";
+  scene.nodes[1].light = 0;
+  scene.nodes[0].translation = {1, 2, 3};
+  scene.nodes[0].scale = glm::vec3(7);
+  scene.nodes[1].rotation = glm::angleAxis(glm::radians(-90.0f), glm::vec3(1, 0, 0));
+  const Moment moment = moment_at(scene, 0, "");
+  ASSERT_EQ(moment.lights.size(), 1u);
+  expect_near(moment.lights[0].position, {1, 2, 3});
+  expect_near(moment.lights[0].direction, {0, -1, 0});
+  EXPECT_EQ(moment.lights[0].light.name, "lamp");
+}
+
+TEST(Moment, CamerasAreRigidWhateverTheScale) {
+  Scene scene = family();
+  scene.cameras.resize(1);
+  scene.nodes[1].camera = 0;
+  scene.nodes[1].translation = {1, 0, 0};
+  scene.nodes[1].rotation = glm::angleAxis(glm::radians(90.0f), glm::vec3(0, 1, 0));  // looks along -X
+  for (const glm::vec3& scale : {glm::vec3(3, 3, 3), glm::vec3(1, 2, 5), glm::vec3(-2, 1, 1)}) {
+    scene.nodes[0].scale = scale;
+    const glm::mat4 m = moment_at(scene, 0, "").cameras.at(0).world_from_view;
+    expect_near(glm::vec3(m * glm::vec4(0, 0, -1, 0)), {scale.x > 0 ? -1.0f : 1.0f, 0, 0});
+    expect_near(glm::vec3(m[1]), {0, 1, 0});
+    EXPECT_NEAR(glm::determinant(m), 1.0f, kRounding);
+    expect_near(glm::vec3(m[3]), {scale.x, 0, 0});
+  }
+  scene.nodes[0].scale = glm::vec3(0);
+  EXPECT_NEAR(glm::determinant(moment_at(scene, 0, "").cameras.at(0).world_from_view), 1.0f, kRounding);
+}
+
+}  // namespace
+}  // namespace velarium::scene
