@@ -2,6 +2,7 @@
 
 import json
 import os
+import pathlib
 import subprocess
 
 from harness import BINARY, CliTest, INVALID, MISSING, NO_DEVICE, NOT_WRITTEN, OK, UNSUPPORTED, USAGE, main, triangle_gltf
@@ -27,6 +28,10 @@ class Help(CliTest):
         out = self.expect(OK, "options")
         self.assertIn("| `display.tonemap` | neutral, agx, aces, linear | neutral |", out)
         self.assertIn("| `frame.spp` | from 1 to 65536 frames | 4 |", out)
+
+    def test_the_page_of_options_is_of_today(self):
+        page = pathlib.Path(__file__).parents[2] / "docs" / "options.md"
+        self.assertEqual(self.expect(OK, "options"), page.read_text(), "run: velarium options > docs/options.md")
 
     def test_a_full_standard_output_is_an_error(self):
         if not os.path.exists("/dev/full"):
