@@ -14,7 +14,7 @@ namespace velarium::scene {
 struct GltfLimits {                           // checked before anything of that size is allocated
   std::uint64_t file_bytes = 4ull << 30;      // of one file, and of all buffers together
   std::uint64_t elements = 1ull << 28;        // of one accessor
-  std::uint64_t scene_elements = 1ull << 30;  // of all accessors, counting each use
+  std::uint64_t scene_elements = 1ull << 28;  // of all accessors, counting each use; a matrix is four
   std::uint64_t image_pixels = 1ull << 28;    // of one image
   std::uint64_t scene_pixels = 1ull << 31;    // of all images
   std::uint32_t image_size = 16384;           // width or height

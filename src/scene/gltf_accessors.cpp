@@ -38,11 +38,18 @@ const ComponentShape& shape_of(Component component) {
   return kComponents.back();
 }
 
-// Bytes of an element: the columns of a matrix start at multiples of 4 (glTF 2.0, 3.6.2.4).
-std::uint32_t element_size(Format format) {
+// Bytes from one element to the next: the columns of a matrix start at multiples of 4 (glTF 2.0, 3.6.2.4).
+std::uint32_t padded_size(Format format) {
   const TypeShape& shape = kShapes[static_cast<std::size_t>(format.type)];
   const std::uint32_t column = shape.rows * shape_of(format.component).size;
   return shape.columns == 1 ? column : shape.columns * ((column + 3) / 4 * 4);
+}
+
+// Bytes of the last element, which needs no padding after it.
+std::uint32_t unpadded_size(Format format) {
+  const TypeShape& shape = kShapes[static_cast<std::size_t>(format.type)];
+  const std::uint32_t column = shape.rows * shape_of(format.component).size;
+  return padded_size(format) - (shape.columns == 1 ? 0 : (4 - column % 4) % 4);
 }
 
 std::string to_string(Format format) {
@@ -82,7 +89,7 @@ Format read_format(const Value& at) {
 Elements elements_of(const Value& at, const BufferView& view, const Value& offset_value, Format format,
                      std::uint32_t stride, std::uint32_t count) {
   const std::uint64_t offset = offset_value.integer_or(0, 0, INT64_MAX);
-  const std::uint32_t size = element_size(format);
+  const std::uint32_t size = unpadded_size(format);
   const bool is_matrix = kShapes[static_cast<std::size_t>(format.type)].columns > 1;
   const std::uint32_t alignment = is_matrix ? 4 : shape_of(format.component).size;
   if (offset % alignment != 0) offset_value.fail(fmt::format("is {}, must be a multiple of {}", offset, alignment));
@@ -92,10 +99,10 @@ Elements elements_of(const Value& at, const BufferView& view, const Value& offse
   if (stride < size)
     at.fail(fmt::format("its view's byteStride, {}, is less than an element's {} bytes", stride, size));
   const std::uint64_t needed = static_cast<std::uint64_t>(stride) * (count - 1) + size;
-  if (offset > view.bytes.size() || needed > view.bytes.size() - offset) {
-    at.fail(fmt::format("{} bytes from {} on do not fit its view of {} bytes", needed, offset, view.bytes.size()));
+  if (offset > view.length || needed > view.length - offset) {
+    at.fail(fmt::format("{} bytes from {} on do not fit its view of {} bytes", needed, offset, view.length));
   }
-  return {view.bytes.data() + offset, stride, count};
+  return {view.data ? view.data + offset : nullptr, stride, count};
 }
 
 }  // namespace
@@ -118,9 +125,10 @@ void Accessors::read_accessor(const Value& at) {
   }
   if (const Value reference = at["bufferView"]) {
     const BufferView& view = buffers_.view(reference);
-    const std::uint32_t stride = view.stride.value_or(element_size(accessor.format));
+    const std::uint32_t stride = view.stride.value_or(padded_size(accessor.format));
     const Value offset = at["byteOffset"];
     accessor.elements = elements_of(at, view, offset, accessor.format, stride, accessor.elements.count);
+    accessor.lacks_data = view.data == nullptr;
     accessor.aligned_for_vertices = offset.integer_or(0, 0, INT64_MAX) % 4 == 0 && stride % 4 == 0;
   }
   if (const Value sparse = at["sparse"]) read_sparse(sparse, accessor);
@@ -132,7 +140,8 @@ void Accessors::read_sparse(const Value& sparse, Accessor& accessor) {
     const Value reference = part.require("bufferView");
     const BufferView& view = buffers_.view(reference);
     if (view.stride) reference.fail("is a view with byteStride, which sparse data cannot have");
-    return elements_of(part, view, part["byteOffset"], format, element_size(format), count);
+    accessor.lacks_data |= view.data == nullptr;
+    return elements_of(part, view, part["byteOffset"], format, padded_size(format), count);
   };
   const Value indices = sparse.require("indices");
   const Value component = indices.require("componentType");
@@ -149,7 +158,10 @@ void Accessors::read_sparse(const Value& sparse, Accessor& accessor) {
 const Accessor& Accessors::find(const Value& reference, std::span<const Format> allowed) const {
   const Accessor& accessor =
       accessors_[reference.reference(static_cast<std::uint32_t>(accessors_.size()), "accessors")];
-  if (std::ranges::find(allowed, accessor.format) != allowed.end()) return accessor;
+  if (std::ranges::find(allowed, accessor.format) != allowed.end()) {
+    if (accessor.lacks_data) accessor.at.fail("lies in a buffer that has no uri, nor is it the file's binary chunk");
+    return accessor;
+  }
   std::string names;
   for (const Format& format : allowed) names += (names.empty() ? "" : ", ") + to_string(format);
   reference.fail(fmt::format("is an accessor of {}, must be one of: {}", to_string(accessor.format), names));

@@ -8,6 +8,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/gtc/type_precision.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -28,7 +29,7 @@ struct Format {
 
 // Elements of one format at equal distances; the reader has checked that all lie inside their view.
 struct Elements {
-  const std::byte* first = nullptr;  // null: all zeros
+  const std::byte* first = nullptr;  // null: all zeros, or no data
   std::uint32_t stride = 0;          // bytes
   std::uint32_t count = 0;
 };
@@ -37,6 +38,7 @@ struct Accessor {
   Value at;
   Format format;
   Elements elements;
+  bool lacks_data = false;           // it lies in a buffer without data, and is not to be read
   bool aligned_for_vertices = true;  // offset and stride are multiples of 4, as glTF asks of vertex attributes
   // Elements that replace others; count 0 where the accessor is not sparse.
   Component sparse_index_component = Component::u32;
@@ -74,7 +76,7 @@ class Accessors {
   void read_sparse(const Value& sparse, Accessor& accessor);
   template <class Element>
   [[nodiscard]] std::vector<Element> allocate(const Accessor& accessor) {
-    claim(accessor.at, accessor.elements.count);
+    claim(accessor.at, accessor.elements.count * std::max<std::uint64_t>(1, sizeof(Element) / sizeof(glm::vec4)));
     return std::vector<Element>(accessor.elements.count);
   }
   static void fill_floats(const Accessor& accessor, float* out, std::size_t float_count);

@@ -145,7 +145,7 @@ class AnimationReader {
  private:
   void read_channel(const Value& channel) {
     const std::uint32_t sampler =
-        channel.require("sampler").reference(static_cast<std::uint32_t>(samplers_.size()), "samplers of the animation");
+        channel.require("sampler").reference(static_cast<std::uint32_t>(samplers_.size()), "samplers");
     const Value target_value = channel.require("target");
     const std::optional<Target> target = read_target(context_, target_value);
     if (!target) return;

@@ -5,8 +5,8 @@
 #include <fmt/core.h>
 #include <glm/common.hpp>
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace velarium::scene::gltf {
 
@@ -55,9 +55,7 @@ constexpr FormatList kPosition{kPositionFormats, 1}, kMorphPosition{kMorphPositi
 class AttributeReader {
  public:
   AttributeReader(Context& context, Accessors& accessors, const Value& attributes)
-      : accessors_(accessors),
-        attributes_(attributes),
-        quantized_(uses_extension(context.scene, "KHR_mesh_quantization")) {
+      : accessors_(accessors), attributes_(attributes), quantized_(context.uses("KHR_mesh_quantization")) {
     for (const auto& [name, reference] : attributes.members()) accessors.check(reference);
   }
 
@@ -120,22 +118,31 @@ std::uint32_t count_sets(const Value& attributes, std::string_view prefix) {
   return count;
 }
 
+// The sum of a vertex's weights; its sets lie `vertices` apart.
+float sum_weights(const Value& attributes, const std::vector<glm::vec4>& weights, std::size_t vertex,
+                  std::size_t vertices) {
+  float sum = 0.0f;
+  bool negative = false;
+  for (std::size_t i = vertex; i < weights.size(); i += vertices) {
+    negative |= glm::any(glm::lessThan(weights[i], glm::vec4(0.0f)));
+    sum += weights[i].x + weights[i].y + weights[i].z + weights[i].w;
+  }
+  if (negative || !std::isfinite(sum)) {
+    attributes.fail(fmt::format("vertex {} has joint weights that are negative or too large", vertex));
+  }
+  return sum;
+}
+
 // Makes the weights of each vertex sum to 1, and joints of no weight 0, so that only joints that matter are checked.
 void normalize_weights(const Value& attributes, Primitive& primitive) {
   const std::size_t vertices = primitive.vertex_count();
   for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
-    float sum = 0.0f;
-    for (std::size_t i = vertex; i < primitive.weights.size(); i += vertices) {
-      const glm::vec4& weights = primitive.weights[i];
-      if (glm::any(glm::lessThan(weights, glm::vec4(0.0f)))) {
-        attributes.fail(fmt::format("the joint weights of vertex {} are negative; export the skin again", vertex));
-      }
-      sum += weights.x + weights.y + weights.z + weights.w;
-    }
+    const float sum = sum_weights(attributes, primitive.weights, vertex, vertices);
     for (std::size_t i = vertex; i < primitive.weights.size(); i += vertices) {
       for (int c = 0; c < 4; ++c) {
-        if (primitive.weights[i][c] == 0.0f) primitive.joints[i][c] = 0;
-        primitive.weights[i][c] = sum > 0.0f ? primitive.weights[i][c] / sum : 0.0f;
+        float& weight = primitive.weights[i][c];
+        weight = sum > 0.0f ? weight / sum : 0.0f;
+        if (weight == 0.0f) primitive.joints[i][c] = 0;
       }
     }
     if (sum > 0.0f) continue;
@@ -158,7 +165,7 @@ void read_skinning(const AttributeReader& reader, Accessors& accessors, Primitiv
     primitive.weights.insert(primitive.weights.end(), weights.begin(), weights.end());
   }
   primitive.skin_sets = sets;
-  normalize_weights(attributes, primitive);
+  if (sets > 0) normalize_weights(attributes, primitive);
 }
 
 void drop_without_base(const Value& reference, bool base_is_absent, std::vector<glm::vec3>& displacements) {

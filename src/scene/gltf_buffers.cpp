@@ -32,29 +32,31 @@ void Buffers::read_buffer(const Value& buffer, std::uint32_t index, const Contai
   } else if (index == 0 && container.binary) {
     bytes = *container.binary;
   } else {
-    buffer.fail("has no uri, and the file has no binary chunk for it");
+    buffers_.push_back({nullptr, length});
+    return;
   }
   if (bytes.size() < length) {
     buffer.fail(fmt::format("holds {} bytes, fewer than its byteLength of {}", bytes.size(), length));
   }
-  buffers_.push_back(bytes.first(length));
+  buffers_.push_back({bytes.data(), length});
 }
 
 void Buffers::read_view(const Value& view) {
   const Value reference = view.require("buffer");
   const std::uint32_t index = reference.reference(static_cast<std::uint32_t>(buffers_.size()), "buffers");
-  const std::span<const std::byte> buffer = buffers_[index];
+  const Buffer& buffer = buffers_[index];
   const std::uint64_t offset = view["byteOffset"].integer_or(0, 0, kAnyLength);
   const std::uint64_t length = view.require("byteLength").integer(1, kAnyLength);
-  if (offset >= buffer.size()) {
-    view["byteOffset"].fail(fmt::format("is {}, beyond /buffers/{} of {} bytes", offset, index, buffer.size()));
+  if (offset >= buffer.length) {
+    view["byteOffset"].fail(fmt::format("is {}, beyond /buffers/{} of {} bytes", offset, index, buffer.length));
   }
-  if (length > buffer.size() - offset) {
+  if (length > buffer.length - offset) {
     view["byteLength"].fail(fmt::format("bytes {} to {} do not fit /buffers/{} of {} bytes", offset, offset + length,
-                                        index, buffer.size()));
+                                        index, buffer.length));
   }
   BufferView& added = views_.emplace_back();
-  added.bytes = buffer.subspan(offset, length);
+  added.data = buffer.data ? buffer.data + offset : nullptr;
+  added.length = length;
   added.offset = offset;
   if (const Value stride = view["byteStride"]) {
     added.stride = static_cast<std::uint32_t>(stride.integer(kMinStride, kMaxStride));

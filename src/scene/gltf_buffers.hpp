@@ -13,7 +13,8 @@
 namespace velarium::scene::gltf {
 
 struct BufferView {
-  std::span<const std::byte> bytes;
+  const std::byte* data = nullptr;      // null where its buffer has no data
+  std::uint64_t length = 0;             // bytes
   std::uint64_t offset = 0;             // in its buffer, for alignment rules
   std::optional<std::uint32_t> stride;  // bytes, where the view gives one
 };
@@ -21,9 +22,9 @@ struct BufferView {
 class Buffers {
  public:
   // Reads every buffer and checks every view against its buffer. `container` must outlive the result.
+  // A buffer may lack data, as a fallback that an extension replaces does: that is an error where it is used.
   Buffers(Value root, const Container& container, const GltfOptions& options);
 
-  [[nodiscard]] const BufferView& view(std::uint32_t index) const { return views_[index]; }
   // The view that a JSON number refers to; throws at its pointer where there is none.
   [[nodiscard]] const BufferView& view(const Value& reference) const;
 
@@ -31,8 +32,12 @@ class Buffers {
   void read_buffer(const Value& buffer, std::uint32_t index, const Container& container, const GltfOptions& options);
   void read_view(const Value& view);
 
-  std::vector<std::vector<std::byte>> owned_;        // of buffers that are not the BIN chunk
-  std::vector<std::span<const std::byte>> buffers_;  // exactly as long as their byteLength
+  std::vector<std::vector<std::byte>> owned_;  // of buffers that are not the BIN chunk
+  struct Buffer {
+    const std::byte* data = nullptr;
+    std::uint64_t length = 0;
+  };
+  std::vector<Buffer> buffers_;
   std::vector<BufferView> views_;
   std::uint64_t bytes_left_ = 0;
 };

@@ -11,6 +11,7 @@ namespace velarium::scene::gltf {
 namespace {
 
 constexpr float kAnyPositive = std::numeric_limits<float>::max();
+constexpr float kWidestFov = 179.0f / 180.0f * std::numbers::pi_v<float>;
 
 float positive(const Value& value) {
   const float number = value.number();
@@ -22,7 +23,10 @@ void read_perspective(const Value& value, Camera& camera) {
   camera.kind = Camera::Kind::perspective;
   const Value fov = value.require("yfov");
   camera.vertical_fov = positive(fov);
-  if (camera.vertical_fov >= std::numbers::pi_v<float>) fov.fail("must be less than pi radians");
+  if (camera.vertical_fov > kWidestFov) {
+    fov.warn("is pi radians or nearly so, which no flat picture holds; 179 degrees are used");
+    camera.vertical_fov = kWidestFov;
+  }
   if (const Value aspect = value["aspectRatio"]) camera.aspect = positive(aspect);
   camera.z_near = positive(value.require("znear"));
   if (const Value far = value["zfar"]) camera.z_far = positive(far);
@@ -101,8 +105,7 @@ void read_lights_punctual(Context& context, const Value& extension) {
 
 void read_node_light(Context& context, const Value& extension, Node& node) {
   const auto count = static_cast<std::uint32_t>(context.scene.lights.size());
-  node.light =
-      static_cast<std::int32_t>(extension.require("light").reference(count, "extensions/KHR_lights_punctual/lights"));
+  node.light = static_cast<std::int32_t>(extension.require("light").reference(count, "lights"));
 }
 
 }  // namespace velarium::scene::gltf

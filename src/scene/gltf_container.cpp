@@ -73,6 +73,17 @@ class GlbParser {
   std::size_t offset_ = 0, end_ = 0;
 };
 
+// Says of a file of another kind what it is not, where the JSON parser would speak of tokens.
+void check_is_json(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  const std::size_t start = text.find_first_not_of(" \t\r\n", text.starts_with(kByteOrderMark) ? 3 : 0);
+  if (start == std::string_view::npos || text[start] != '{') {
+    throw Error(ErrorCode::input_invalid, file,
+                "byte 0: neither glTF, which begins with '{', nor GLB, which begins with \"glTF\"");
+  }
+}
+
 }  // namespace
 
 Container open_container(const std::filesystem::path& file, const GltfLimits& limits) {
@@ -84,6 +95,7 @@ Container open_container(const std::filesystem::path& file, const GltfLimits& li
   if (magic == kMagic) {
     GlbParser(file, container).parse();
   } else {
+    check_is_json(file, container.bytes);
     container.json = {reinterpret_cast<const char*>(container.bytes.data()), container.bytes.size()};
   }
   return container;

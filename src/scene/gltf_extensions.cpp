@@ -18,7 +18,7 @@ constexpr std::array kExtensions = {
     Extension{.name = "KHR_materials_ior", .material = read_ior},
     Extension{.name = "KHR_materials_specular", .material = read_specular},
     Extension{.name = "KHR_materials_unlit", .material = read_unlit},
-    Extension{.name = "KHR_mesh_quantization"},  // adds no object: attribute formats ask uses_extension()
+    Extension{.name = "KHR_mesh_quantization"},  // adds no object: attribute formats ask Context::uses()
     Extension{.name = "KHR_texture_transform", .texture_ref = read_texture_transform},
 };
 
@@ -30,10 +30,6 @@ bool is_supported(std::string_view name) {
 
 std::span<const Extension> supported_extensions() {
   return kExtensions;
-}
-
-bool uses_extension(const Scene& scene, std::string_view name) {
-  return std::ranges::find(scene.extensions_used, name) != scene.extensions_used.end();
 }
 
 void read_extension_lists(Context& context) {
@@ -49,7 +45,7 @@ void read_extension_lists(Context& context) {
                             lacking));
   }
   for (const Value& name : context.root["extensionsUsed"].elements()) {
-    if (uses_extension(context.scene, name.text())) continue;
+    if (!context.extensions_used.emplace(name.text()).second) continue;
     context.scene.extensions_used.emplace_back(name.text());
     if (!is_supported(name.text())) name.warn(fmt::format("{} is not supported; it is ignored", name.text()));
   }

@@ -5,7 +5,10 @@
 #include "scene/gltf.hpp"
 #include "scene/gltf_json.hpp"
 
+#include <functional>
+#include <set>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace velarium::scene::gltf {
@@ -15,6 +18,9 @@ struct Context {
   Value root;
   const GltfOptions& options;
   Scene& scene;  // the tables read so far
+  std::set<std::string, std::less<>> extensions_used{};
+
+  [[nodiscard]] bool uses(std::string_view extension) const { return extensions_used.contains(extension); }
 };
 
 // One row a supported extension. A hook reads the extension's object where it stands in an object of that kind, after
@@ -32,8 +38,6 @@ struct Extension {
 // Reads extensionsUsed and extensionsRequired. Throws Error(unsupported) that names all required ones we lack.
 void read_extension_lists(Context& context);
 
-[[nodiscard]] bool uses_extension(const Scene& scene, std::string_view name);
-
 // Calls `hook` of each supported extension that stands in `owner`, in the order of the table.
 template <class... Target>
 void read_extensions(Context& context, const Value& owner, void (*Extension::*hook)(Context&, const Value&, Target&...),
@@ -43,7 +47,7 @@ void read_extensions(Context& context, const Value& owner, void (*Extension::*ho
   for (const Extension& extension : supported_extensions()) {
     const Value found = extension.*hook ? extensions[extension.name] : Value();
     if (!found) continue;
-    if (!uses_extension(context.scene, extension.name)) found.warn("is not listed in /extensionsUsed; it was read");
+    if (!context.uses(extension.name)) found.warn("is not listed in /extensionsUsed; it was read");
     (extension.*hook)(context, found, target...);
   }
 }

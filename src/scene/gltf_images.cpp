@@ -45,6 +45,7 @@ std::vector<bool> textures_in_use(const Scene& scene) {
 // The encoded bytes of an image: a view, or its own copy.
 struct Source {
   Value image;
+  std::uint32_t index = 0;  // in /images
   std::vector<std::byte> owned;
   std::span<const std::byte> bytes;
 };
@@ -58,23 +59,25 @@ void check_image(const Value& image, const Buffers& buffers) {
 }
 
 void load_source(Source& source, const Buffers& buffers, const GltfOptions& options) {
-  if (const Value view = source.image["bufferView"]) {
-    source.bytes = buffers.view(view).bytes;
+  if (const Value reference = source.image["bufferView"]) {
+    const BufferView& view = buffers.view(reference);
+    if (!view.data) reference.fail("lies in a buffer without data");
+    source.bytes = {view.data, view.length};
     return;
   }
   source.owned = load_uri(source.image["uri"], options, options.limits.file_bytes);
   source.bytes = source.owned;
 }
 
-// Calls `work` and gives errors of the image library the scene's file and this image's pointer.
+// Calls `work` and gives errors of the image library the scene's file and this image's place in it.
 template <class Work>
-auto at_image(const Value& image, const Work& work) {
-  const Value uri = image["uri"];
+auto at_image(const Source& source, const Work& work) {
+  const Value uri = source.image["uri"];
   const bool named = uri && !uri.text().starts_with("data:");
-  const std::string what = image.pointer() + (named ? fmt::format(" ({})", uri.text()) : "");
+  const std::string what = fmt::format("/images/{}", source.index) + (named ? fmt::format(" ({})", uri.text()) : "");
   try {
     return work(what);
-  } catch (const Error& error) { throw Error(error.code(), image.file(), error.what()); }
+  } catch (const Error& error) { throw Error(error.code(), source.image.file(), error.what()); }
 }
 
 // Points textures at the table of decoded images, and lists the sources of those images in its order.
@@ -98,7 +101,7 @@ std::vector<Source> assign_images(Context& context, const Buffers& buffers) {
     const auto index = static_cast<std::uint32_t>(image);
     if (place[index] == kNone) {
       place[index] = static_cast<std::int32_t>(sources.size());
-      sources.push_back({list.at(index), {}, {}});
+      sources.push_back({list.at(index), index, {}, {}});
     }
     image = place[index];
   }
@@ -109,7 +112,7 @@ void check_sizes(const std::vector<Source>& sources, const GltfLimits& limits) {
   std::uint64_t left = limits.scene_pixels;
   for (const Source& source : sources) {
     const image::Size size =
-        at_image(source.image, [&](const std::string& what) { return image::peek_size(source.bytes, what); });
+        at_image(source, [&](const std::string& what) { return image::peek_size(source.bytes, what); });
     const std::uint64_t pixels = std::uint64_t{size.width} * size.height;
     if (std::max(size.width, size.height) > limits.image_size || pixels > std::min(limits.image_pixels, left)) {
       source.image.fail(
@@ -128,7 +131,7 @@ void read_images(Context& context, const Buffers& buffers) {
   check_sizes(sources, limits);
   context.scene.images.resize(sources.size());
   parallel_for(sources.size(), [&](std::size_t i) {
-    image::ByteImage decoded = at_image(sources[i].image, [&](const std::string& what) {
+    image::ByteImage decoded = at_image(sources[i], [&](const std::string& what) {
       return image::decode(sources[i].bytes, what, {limits.image_pixels, limits.image_size});
     });
     sources[i].owned = {};

@@ -101,6 +101,8 @@ class Builder final : public nlohmann::json_sax<Json> {
     const auto line = std::count(before.begin(), before.end(), '\n') + 1;
     const std::size_t column = byte - (before.rfind('\n') + 1) + 1;  // npos + 1 is 0: the first line
     std::string reason = error.what();
+    // Drop the library's own prefix: "[json.exception.NAME.NUMBER] parse error at line 1, column 2: ".
+    if (const auto start = reason.find("] "); start != std::string::npos) reason.erase(0, start + 2);
     if (const auto start = reason.find("syntax error"); start != std::string::npos) reason.erase(0, start);
     if (const auto quote = reason.find("; last read"); quote != std::string::npos) reason.resize(quote);
     throw Error(
@@ -163,10 +165,6 @@ Document::Document(std::filesystem::path file, std::string_view text, std::uint3
     : file_(std::move(file)), json_(std::make_unique<Json>()) {
   Builder builder(file_, text, max_depth, *json_);
   Json::sax_parse(text.begin(), text.end(), &builder);
-  if (!json_->is_object()) {
-    throw Error(ErrorCode::input_invalid, file_,
-                fmt::format("the JSON is of type {}; a glTF file is one object", json_->type_name()));
-  }
 }
 
 Document::~Document() = default;
@@ -300,7 +298,7 @@ void Value::read_clamped_numbers(std::span<float> out, float lowest, float highe
 
 std::uint32_t Value::reference(std::uint32_t table_size, std::string_view table_name) const {
   const std::uint64_t index = integer(0, std::numeric_limits<std::uint32_t>::max());
-  if (index >= table_size) fail(fmt::format("refers to /{}/{}, but there are only {}", table_name, index, table_size));
+  if (index >= table_size) fail(fmt::format("is {}, but there are {} {}", index, table_size, table_name));
   return static_cast<std::uint32_t>(index);
 }
 

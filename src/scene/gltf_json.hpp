@@ -25,7 +25,7 @@ class Value;
 class Document {
  public:
   // Throws Error(input_invalid) with line, column and byte offset where `text` is not JSON, nests deeper than
-  // `max_depth`, repeats a key of an object, or is not an object.
+  // `max_depth`, or repeats a key of an object.
   Document(std::filesystem::path file, std::string_view text, std::uint32_t max_depth);
   ~Document();
   Document(const Document&) = delete;
@@ -92,7 +92,7 @@ class Value {
     return fallback;
   }
 
-  // The index of an element of `table`, an array of this document that may be absent. `table_name` is for the error.
+  // The index of an element of a table of this size; `table_name` ("meshes") is for the error.
   [[nodiscard]] std::uint32_t reference(std::uint32_t table_size, std::string_view table_name) const;
   // The same for a reference that may be absent: kNone then.
   [[nodiscard]] std::int32_t reference_or_none(std::uint32_t table_size, std::string_view table_name) const;

@@ -90,16 +90,17 @@ void check_forest(const std::vector<Value>& values, const std::vector<Node>& nod
   if (lost != depth.end()) values[static_cast<std::size_t>(lost - depth.begin())].fail("is part of a loop of nodes");
 }
 
-std::vector<std::uint32_t> read_scene_roots(const Value& value, const std::vector<Node>& nodes) {
+// `listed_in` holds, for each node, the number of the last scene that listed it; this one's is `number`.
+std::vector<std::uint32_t> read_scene_roots(const Value& value, const std::vector<Node>& nodes, std::size_t number,
+                                            std::vector<std::size_t>& listed_in) {
   std::vector<std::uint32_t> roots;
-  std::vector<bool> listed(nodes.size(), false);
   for (const Value& entry : value["nodes"].elements()) {
     const std::uint32_t root = entry.reference(static_cast<std::uint32_t>(nodes.size()), "nodes");
     if (nodes[root].parent != kNone) {
       entry.fail(fmt::format("node {} is a child of node {}, not a root", root, nodes[root].parent));
     }
-    if (listed[root]) entry.fail(fmt::format("node {} is listed twice", root));
-    listed[root] = true;
+    if (listed_in[root] == number) entry.fail(fmt::format("node {} is listed twice", root));
+    listed_in[root] = number;
     roots.push_back(root);
   }
   return roots;
@@ -127,8 +128,9 @@ void read_scenes(Context& context) {
   const std::vector<Value> scenes = context.root["scenes"].elements();
   const std::int32_t shown =
       context.root["scene"].reference_or_none(static_cast<std::uint32_t>(scenes.size()), "scenes");
+  std::vector<std::size_t> listed_in(nodes.size(), 0);
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    std::vector<std::uint32_t> roots = read_scene_roots(scenes[i], nodes);
+    std::vector<std::uint32_t> roots = read_scene_roots(scenes[i], nodes, i + 1, listed_in);
     if (i == static_cast<std::size_t>(std::max(shown, 0))) context.scene.roots = std::move(roots);
   }
   if (!scenes.empty()) return;

@@ -11,8 +11,8 @@ namespace {
 
 // Files hold products of float matrices; their last row strays by rounding alone.
 constexpr float kRowTolerance = 1e-4f;
-// Sixteen normalised bits, and decimals cut to four digits, stay within this.
-constexpr float kLengthTolerance = 1e-3f;
+// Eight normalised bits: half a step, 1/254, in each of four components, lengthens by at most 2/254.
+constexpr float kLengthTolerance = 0.008f;
 constexpr float kSmallestLength = 1e-6f;  // below it the direction is rounding noise
 
 }  // namespace
