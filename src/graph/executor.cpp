@@ -63,8 +63,9 @@ void Executor::record(const Graph& graph, VkCommandBuffer commands, bool paranoi
     const auto& pass = graph.passes()[i];
     pass_names_.push_back(pass.name());
     begin_label(commands, pass.name());
-    barriers(commands, planned[i], paranoid);
+    // Before the barriers: a software driver may put a timestamp off until a barrier makes it finish what it has.
     timers_.start(commands, i);
+    barriers(commands, planned[i], paranoid);
     if (pass.record()) pass.record()(context);
     timers_.stop(commands, i);
     end_label(commands);
