@@ -22,8 +22,8 @@ Bindings& Bindings::storage(std::uint32_t binding, VkImageView view) {
   return *this;
 }
 
-Bindings& Bindings::buffer(std::uint32_t binding, const Buffer& buffer) {
-  entries_.push_back({binding, VkDescriptorBufferInfo{buffer.vk(), 0, VK_WHOLE_SIZE}});
+Bindings& Bindings::buffer(std::uint32_t binding, const Buffer& buffer, VkDeviceSize offset, VkDeviceSize bytes) {
+  entries_.push_back({binding, VkDescriptorBufferInfo{buffer.vk(), offset, bytes}});
   return *this;
 }
 

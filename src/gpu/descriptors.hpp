@@ -14,7 +14,9 @@ class Bindings {
   Bindings& sampled(std::uint32_t binding, VkImageView view, VkSampler sampler,
                     VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   Bindings& storage(std::uint32_t binding, VkImageView view);
-  Bindings& buffer(std::uint32_t binding, const Buffer& buffer);
+  // All of a buffer, or `bytes` of it from `offset`.
+  Bindings& buffer(std::uint32_t binding, const Buffer& buffer, VkDeviceSize offset = 0,
+                   VkDeviceSize bytes = VK_WHOLE_SIZE);
 
   struct Entry {
     std::uint32_t binding;

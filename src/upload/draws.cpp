@@ -19,14 +19,13 @@ struct Candidate {
   }
 };
 
-ObjectData object_data(const scene::Instance& instance, std::uint32_t material, const glm::dvec3& eye) {
+ObjectData object_data(const scene::Instance& instance, const glm::dvec3& eye) {
   const glm::mat4& m = instance.world_from_object;
   ObjectData data{};
   for (int row = 0; row < 3; ++row) {
     const auto translation = static_cast<float>(static_cast<double>(m[3][row]) - eye[row]);
     data.world_from_object[row] = {m[0][row], m[1][row], m[2][row], translation};
   }
-  data.material = material;
   return data;
 }
 
@@ -35,7 +34,7 @@ void add_draws(const std::vector<Candidate>& candidates, bool join, const glm::d
                std::vector<ObjectData>& objects, std::vector<Draw>& draws) {
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const auto& c = candidates[i];
-    objects.push_back(object_data(*c.instance, c.material, eye));
+    objects.push_back(object_data(*c.instance, eye));
     if (join && i > 0 && candidates[i - 1].state() == c.state()) {
       ++draws.back().object_count;
       continue;

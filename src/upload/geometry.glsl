@@ -17,8 +17,7 @@ layout(location = 0) out vec3 out_normal_ws;
 layout(location = 1) out vec4 out_tangent_ws;
 layout(location = 2) out vec4 out_uv;
 layout(location = 3) out vec4 out_color;
-layout(location = 4) flat out uint out_material;
-layout(location = 5) out vec3 out_position_ws;
+layout(location = 4) out vec3 out_position_ws;
 
 // Normals go by the matrix of cofactors, which is right for every matrix, mirrored and flat ones included.
 vec3 transform_normal(vec3 row0, vec3 row1, vec3 row2, vec3 normal) {
@@ -44,7 +43,6 @@ void main() {
   out_tangent_ws = vec4(transform_tangent(row0.xyz, row1.xyz, row2.xyz, in_tangent.xyz), in_tangent.w * handedness);
   out_uv = in_uv;
   out_color = in_color;
-  out_material = object.material;
   gl_Position = frame.clip_from_world * vec4(out_position_ws, 1.0);
   gl_PointSize = 1.0;
 }

@@ -37,7 +37,7 @@ GpuScene::GpuScene(gpu::Device& device, const scene::Scene& scene)
     : device_(device),
       scene_(scene),
       textures_(device, scene),
-      materials_(make_buffer(device, gpu_materials(scene), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT)) {
+      materials_(make_buffer(device, gpu_materials(scene), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT)) {
   upload_geometry();
 }
 
@@ -102,6 +102,7 @@ gpu::Bindings material_bindings(gpu::SamplerCache& samplers, const SceneTables& 
     bindings.sampled(slot, bound.image->view(),
                      samplers.get(sampler_desc(bound.sampler, tables.anisotropy, tables.texture_lod_bias)));
   }
+  bindings.buffer(kSlotCount, tables.gpu->materials(), material * sizeof(MaterialBlock), sizeof(GpuMaterial));
   return bindings;
 }
 

@@ -61,7 +61,7 @@ struct SceneTables {
   float anisotropy = 1.0f;
 };
 
-// Binds the textures of a material as descriptor set 2.
+// The textures and factors of a material: descriptor set 2 of upload/material.glsl.
 [[nodiscard]] gpu::Bindings material_bindings(gpu::SamplerCache& samplers, const SceneTables& tables,
                                               std::uint32_t material);
 

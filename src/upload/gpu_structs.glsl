@@ -1,5 +1,5 @@
 // Tables that cross from the host to the shaders, declared once for both: C++ reads this file through gpu_structs.hpp.
-// std430 layout throughout. World space on the device has the scene's axes and its origin at the eye.
+// std430 layout throughout (GpuMaterial fits std140 as well). World space on the device has the scene's axes and its origin at the eye.
 #ifndef VEL_UPLOAD_GPU_STRUCTS_GLSL
 #define VEL_UPLOAD_GPU_STRUCTS_GLSL
 
@@ -28,12 +28,7 @@ CHECK_LAYOUT(FrameUniforms, light_count, 352);
 // One instance of a primitive. Its index is gl_InstanceIndex.
 struct ObjectData {
   vec4 world_from_object[3];  // rows
-  uint material;
-  uint unused0;
-  uint unused1;
-  uint unused2;
 };
-CHECK_LAYOUT(ObjectData, material, 48);
 
 // The textures of a material, in the order of its descriptor set.
 const uint kSlotBaseColor = 0u;

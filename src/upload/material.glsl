@@ -6,9 +6,10 @@
 #include "upload/gpu_structs.glsl"
 
 layout(set = 0, binding = 0, std430) readonly buffer FrameBuffer { FrameUniforms frame; };
-layout(set = 0, binding = 1, std430) readonly buffer ObjectBuffer { ObjectData objects[]; };
-layout(set = 0, binding = 2, std430) readonly buffer MaterialBuffer { GpuMaterial materials[]; };
 
+// A uniform buffer, not a table in a storage buffer: llvmpipe answers a storage read of a helper invocation with 0,
+// and texture coordinates made of that have wrong derivatives along every edge.
+layout(set = 2, binding = 7, std140) uniform MaterialBuffer { GpuMaterial material; };
 layout(set = 2, binding = 0) uniform sampler2D base_color_map;
 layout(set = 2, binding = 1) uniform sampler2D metallic_roughness_map;
 layout(set = 2, binding = 2) uniform sampler2D normal_map;
@@ -26,43 +27,43 @@ struct FragmentInput {
   bool front_facing;
 };
 
-vec4 sample_slot(sampler2D map, uint material, uint slot, vec4 uv) {
-  TextureSlot s = materials[material].slots[slot];
+vec4 sample_slot(sampler2D map, uint slot, vec4 uv) {
+  TextureSlot s = material.slots[slot];
   if (s.present == 0u) return vec4(1.0);
   vec2 set = s.uv_set == 0u ? uv.xy : uv.zw;
   return texture(map, vec2(dot(s.rows.xy, set), dot(s.rows.zw, set)) + s.offset);
 }
 
-vec4 material_base_color(uint material, FragmentInput f) {
-  return materials[material].base_color * f.color * sample_slot(base_color_map, material, kSlotBaseColor, f.uv);
+vec4 material_base_color(FragmentInput f) {
+  return material.base_color * f.color * sample_slot(base_color_map, kSlotBaseColor, f.uv);
 }
 
-vec3 material_emissive(uint material, FragmentInput f) {
-  return materials[material].emissive.rgb * sample_slot(emissive_map, material, kSlotEmissive, f.uv).rgb;
+vec3 material_emissive(FragmentInput f) {
+  return material.emissive.rgb * sample_slot(emissive_map, kSlotEmissive, f.uv).rgb;
 }
 
 // The shading normal: of the side that is seen (glTF 2.0, 3.9.6: back faces of double-sided materials turn it).
-vec3 material_normal(uint material, FragmentInput f) {
+vec3 material_normal(FragmentInput f) {
   vec3 n = normalize(f.normal_ws);
   float side = f.front_facing ? 1.0 : -1.0;
-  bool mapped = materials[material].slots[kSlotNormal].present != 0u && dot(f.tangent_ws.xyz, f.tangent_ws.xyz) > 0.0;
+  bool mapped = material.slots[kSlotNormal].present != 0u && dot(f.tangent_ws.xyz, f.tangent_ws.xyz) > 0.0;
   if (!mapped) return n * side;
-  vec3 m = sample_slot(normal_map, material, kSlotNormal, f.uv).xyz * 2.0 - 1.0;
-  m.xy *= materials[material].emissive.w;
+  vec3 m = sample_slot(normal_map, kSlotNormal, f.uv).xyz * 2.0 - 1.0;
+  m.xy *= material.emissive.w;
   // As MikkTSpace asks: interpolated vectors are used as they are, and the sum alone is normalised.
   vec3 bitangent = f.tangent_ws.w * cross(f.normal_ws, f.tangent_ws.xyz);
   return normalize(m.x * f.tangent_ws.xyz + m.y * bitangent + m.z * f.normal_ws) * side;
 }
 
-Surface material_surface(uint material, FragmentInput f, vec3 base_color) {
-  vec4 factors = materials[material].metal_rough;
-  vec4 specular = materials[material].specular;
-  vec4 metal_rough = sample_slot(metallic_roughness_map, material, kSlotMetallicRoughness, f.uv);
-  float occlusion = sample_slot(occlusion_map, material, kSlotOcclusion, f.uv).r;
-  float specular_weight = sample_slot(specular_map, material, kSlotSpecular, f.uv).a;
-  vec3 specular_tint = sample_slot(specular_color_map, material, kSlotSpecularColor, f.uv).rgb;
+Surface material_surface(FragmentInput f, vec3 base_color) {
+  vec4 factors = material.metal_rough;
+  vec4 specular = material.specular;
+  vec4 metal_rough = sample_slot(metallic_roughness_map, kSlotMetallicRoughness, f.uv);
+  float occlusion = sample_slot(occlusion_map, kSlotOcclusion, f.uv).r;
+  float specular_weight = sample_slot(specular_map, kSlotSpecular, f.uv).a;
+  vec3 specular_tint = sample_slot(specular_color_map, kSlotSpecularColor, f.uv).rgb;
   return surface_from_metal_rough(base_color, factors.x * metal_rough.b, factors.y * metal_rough.g, specular.w,
-                                  specular.rgb * specular_tint * specular_weight, material_normal(material, f),
+                                  specular.rgb * specular_tint * specular_weight, material_normal(f),
                                   1.0 + factors.z * (occlusion - 1.0));
 }
 

@@ -42,10 +42,10 @@ UvChoice uv_choice(const scene::Material& material) {
   return {{used[0], used.size() > 1 ? used[1] : used[0]}};
 }
 
-std::vector<GpuMaterial> gpu_materials(const scene::Scene& scene) {
-  std::vector<GpuMaterial> result;
-  for (const auto& material : scene.materials) result.push_back(gpu_material(material));
-  result.push_back(gpu_material(material_or_default(scene, scene::kNone)));
+std::vector<MaterialBlock> gpu_materials(const scene::Scene& scene) {
+  std::vector<MaterialBlock> result;
+  for (const auto& material : scene.materials) result.push_back({gpu_material(material)});
+  result.push_back({gpu_material(material_or_default(scene, scene::kNone))});
   return result;
 }
 

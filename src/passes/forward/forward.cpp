@@ -28,7 +28,7 @@ gpu::RasterState raster_state(const graph::Graph& graph, const Inputs& in, scene
 
 void bind_frame(graph::Context& c, const gpu::Pipeline& pipeline, const Inputs& in) {
   c.bind(pipeline);
-  c.set(pipeline, 0).buffer(0, in.scene.frame).buffer(1, in.scene.objects).buffer(2, in.scene.gpu->materials()).bind();
+  c.set(pipeline, 0).buffer(0, in.scene.frame).buffer(1, in.scene.objects).bind();
   auto set = c.set(pipeline, 1);
   set.sampled(0, in.environment).sampled(1, in.brdf_table).buffer(2, in.scene.lights);
   if (in.forward_lists.version != 0) set.buffer(3, in.forward_lists);

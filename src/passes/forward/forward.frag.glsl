@@ -14,8 +14,7 @@ layout(location = 0) in vec3 in_normal_ws;
 layout(location = 1) in vec4 in_tangent_ws;
 layout(location = 2) in vec4 in_uv;
 layout(location = 3) in vec4 in_color;
-layout(location = 4) flat in uint in_material;
-layout(location = 5) in vec3 in_position_ws;
+layout(location = 4) in vec3 in_position_ws;
 
 layout(location = 0) out vec4 out_hdr;   // premultiplied
 
@@ -38,16 +37,16 @@ vec3 punctual_lights(ShadingPoint p) {
 vec3 shade(FragmentInput f, vec3 base_color) {
   vec3 wo_ortho = transpose(mat3(frame.view_from_world)) * vec3(0.0, 0.0, 1.0);
   vec3 wo = frame.perspective > 0.5 ? -normalize(in_position_ws) : wo_ortho;
-  ShadingPoint p = shading_point(material_surface(in_material, f, base_color), in_position_ws, wo);
-  vec3 light = material_emissive(in_material, f) + environment_light(p, frame);
+  ShadingPoint p = shading_point(material_surface(f, base_color), in_position_ws, wo);
+  vec3 light = material_emissive(f) + environment_light(p, frame);
   if (kLights != 0u) light += punctual_lights(p);
   return light;
 }
 
 void main() {
   FragmentInput f = FragmentInput(in_normal_ws, in_tangent_ws, in_uv, in_color, gl_FrontFacing);
-  vec4 base_color = material_base_color(in_material, f);
-  bool unlit = (materials[in_material].flags & kMaterialUnlit) != 0u || dot(f.normal_ws, f.normal_ws) == 0.0;
+  vec4 base_color = material_base_color(f);
+  bool unlit = (material.flags & kMaterialUnlit) != 0u || dot(f.normal_ws, f.normal_ws) == 0.0;
   vec3 radiance = unlit ? base_color.rgb : shade(f, base_color.rgb);
   float alpha = clamp(base_color.a, 0.0, 1.0);
   out_hdr = vec4(min(radiance, kMaxRadiance) * alpha, alpha);

@@ -48,7 +48,7 @@ void draw_all(graph::Context& c, const Inputs& in) {
         raster_state(primitive.topology, material.alpha_mode == scene::AlphaMode::mask));
     if (&pipeline != bound_pipeline) {
       c.bind(pipeline);
-      c.set(pipeline, 0).buffer(0, in.scene.frame).buffer(1, in.scene.objects).buffer(2, gpu_scene.materials()).bind();
+      c.set(pipeline, 0).buffer(0, in.scene.frame).buffer(1, in.scene.objects).bind();
       c.set(pipeline, 1).sampled(0, in.normal_lengths, kTableSampler).bind();
       bound_pipeline = &pipeline;
       bound_material = -1;

@@ -1,0 +1,100 @@
+#include "frame/dump.hpp"
+
+#include <velarium/error.hpp>
+#include <velarium/options.hpp>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <glm/gtc/packing.hpp>
+
+#include <cstring>
+
+namespace velarium::frame {
+namespace {
+
+std::size_t texel_bytes(VkFormat format) {
+  switch (format) {
+    case VK_FORMAT_R8G8B8A8_UNORM:
+    case VK_FORMAT_R8G8B8A8_SRGB:
+    case VK_FORMAT_D32_SFLOAT_S8_UINT: return 4;   // depth alone is copied
+    case VK_FORMAT_R16G16B16A16_SFLOAT: return 8;
+    case VK_FORMAT_R32G32B32A32_SFLOAT: return 16;
+    default: return 0;
+  }
+}
+
+void widen(VkFormat format, const std::byte* texel, float* out) {
+  if (format == VK_FORMAT_D32_SFLOAT_S8_UINT) {
+    std::memcpy(out, texel, sizeof(float));
+    out[1] = out[2] = out[0];
+    out[3] = 1.0f;
+  } else if (format == VK_FORMAT_R16G16B16A16_SFLOAT) {
+    std::uint64_t packed = 0;
+    std::memcpy(&packed, texel, sizeof(packed));
+    const glm::vec4 value = glm::unpackHalf4x16(packed);
+    std::memcpy(out, &value, sizeof(value));
+  } else if (format == VK_FORMAT_R32G32B32A32_SFLOAT) {
+    std::memcpy(out, texel, 4 * sizeof(float));
+  } else {
+    for (int i = 0; i < 4; ++i) out[i] = static_cast<float>(std::to_integer<int>(texel[i])) / 255.0f;
+  }
+}
+
+void record_copy(VkCommandBuffer commands, const gpu::Image& image, VkBuffer to) {
+  const auto aspect = gpu::has_depth(image.desc().format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+  const VkImageMemoryBarrier2 barrier{
+      .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+      .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+      .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
+      .dstStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+      .dstAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT,
+      .oldLayout = image.layout,
+      .newLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+      .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+      .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+      .image = image.vk(),
+      .subresourceRange = {gpu::aspects(image.desc().format), 0, VK_REMAINING_MIP_LEVELS, 0,
+                           VK_REMAINING_ARRAY_LAYERS}};
+  const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
+                                    .imageMemoryBarrierCount = 1,
+                                    .pImageMemoryBarriers = &barrier};
+  vkCmdPipelineBarrier2(commands, &dependency);
+  const VkBufferImageCopy copy{.imageSubresource = {static_cast<VkImageAspectFlags>(aspect), 0, 0, 1},
+                               .imageExtent = {image.desc().width, image.desc().height, 1}};
+  vkCmdCopyImageToBuffer(commands, image.vk(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to, 1, &copy);
+  const VkMemoryBarrier2 host{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+                              .srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                              .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                              .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
+                              .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT};
+  const VkDependencyInfo to_host{
+      .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &host};
+  vkCmdPipelineBarrier2(commands, &to_host);
+}
+
+}  // namespace
+
+DumpedImage dump_image(gpu::Device& device, graph::Executor& executor, const std::string& name) {
+  gpu::Image* image = executor.find_image(name);
+  if (image == nullptr) {
+    const auto names = executor.image_names();
+    const auto near = nearest_name(name, names);
+    throw Error(ErrorCode::usage, fmt::format("no image '{}' to dump{}; there are {}", name,
+                                              near.empty() ? "" : ", did you mean '" + near + "'?",
+                                              fmt::join(names, ", ")));
+  }
+  const auto& desc = image->desc();
+  const std::size_t pixels = std::size_t{desc.width} * desc.height, bytes = texel_bytes(desc.format);
+  const gpu::Buffer staging(device, pixels * bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::MemoryUse::readback);
+  const VkCommandBuffer commands = device.begin();
+  record_copy(commands, *image, staging.vk());
+  image->layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+  device.submit_and_wait(commands);
+
+  DumpedImage result{name, desc.width, desc.height, std::vector<float>(4 * pixels)};
+  for (std::size_t i = 0; i < pixels; ++i)
+    widen(desc.format, staging.mapped().data() + i * bytes, result.rgba.data() + 4 * i);
+  return result;
+}
+
+}  // namespace velarium::frame

@@ -1,0 +1,39 @@
+#include "frame/frame.hpp"
+
+#include "passes/accumulate/accumulate.hpp"
+#include "passes/display/display.hpp"
+#include "passes/exposure/exposure.hpp"
+#include "passes/forward/forward.hpp"
+#include "passes/gbuffer/gbuffer.hpp"
+
+namespace velarium::frame {
+
+graph::GraphImage add_frame(graph::Graph& g, const FrameInputs& in) {
+  const auto& s = in.settings;
+  const auto surface = gbuffer::add(g, {in.scene, in.normal_lengths, in.width, in.height});
+  const auto lit = lighting::add(
+      g, {in.scene, in.environment, surface.rt0, surface.rt1, surface.rt2, surface.depth, surface.hdr}, s.lighting);
+  const auto hdr = forward::add(g, {in.scene, in.environment.specular, in.environment.brdf_table,
+                                    lighting::shading_constants(s.lighting, in.environment.present), surface.depth,
+                                    lit.hdr, lit.forward_lists});
+  return accumulate::add(g, {hdr, g.import("sum", in.sum, !in.first), in.first});
+}
+
+DisplayOutputs add_display(graph::Graph& g, const DisplayInputs& in) {
+  const auto& s = in.settings;
+  const auto sum = g.import("sum", in.sum, true);
+  DisplayOutputs out;
+  if (in.want_linear) out.linear = display::linear_readback(g, sum, in.frames);
+  if (in.want_display) {
+    const auto exposure = exposure::add(g, {sum, in.frames}, s.display);
+    out.display = display::add(g, {sum, exposure.exposure, in.frames},
+                               {.tonemap = s.display.tonemap,
+                                .bits = s.output.bits,
+                                .dither = s.display.dither,
+                                .seed = static_cast<std::uint32_t>(s.frame.seed),
+                                .background = in.background});
+  }
+  return out;
+}
+
+}  // namespace velarium::frame

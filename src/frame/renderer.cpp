@@ -1,0 +1,170 @@
+#include "frame/renderer.hpp"
+
+#include "bake/environment_brdf.hpp"
+#include "bake/normal_lengths.hpp"
+#include "frame/dump.hpp"
+#include "frame/timings.hpp"
+#include "upload/transfer.hpp"
+
+#include <velarium/error.hpp>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <glm/gtc/packing.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace velarium::frame {
+namespace {
+
+// 512^2: a mean error of 0.040 degrees against 0.032 for four times the memory.
+constexpr std::uint32_t kNormalTableSize = 512;
+// The functions are smooth: 32^2 would do, 64^2 costs nothing.
+constexpr std::uint32_t kBrdfTableSize = 64;
+// Each doubling of frames lets textures be half a level sharper. Past four frames' worth they would alias.
+constexpr float kMaxSharpening = 2.0f;
+
+gpu::Image make_image(gpu::Device& device, const gpu::ImageDesc& desc, std::span<const std::byte> texels) {
+  const std::array sources{upload::ImageSource{desc, texels}};
+  return std::move(upload::make_images(device, sources).front());
+}
+
+gpu::Image make_brdf_table(gpu::Device& device, ShadingModel model) {
+  const auto values = bake::cached_environment_brdf(
+      kBrdfTableSize, model == ShadingModel::ryse ? shading::kModelRyse : shading::kModelGltf);
+  std::vector<std::uint32_t> packed;
+  for (const auto& value : values) packed.push_back(glm::packHalf1x16(value.x) | std::uint32_t{glm::packHalf1x16(value.y)} << 16u);
+  return make_image(device, {.format = VK_FORMAT_R16G16_SFLOAT, .width = kBrdfTableSize, .height = kBrdfTableSize},
+                    std::as_bytes(std::span(packed)));
+}
+
+std::optional<std::array<float, 3>> background_color(const RenderRequest& request) {
+  if (request.background != Background::color) return std::nullopt;
+  return request.background_color;
+}
+
+// What of the frame does not change between the frames of a picture.
+upload::FrameUniforms picture_uniforms(const Job& job, std::uint32_t light_count) {
+  const auto& settings = job.request.settings;
+  upload::FrameUniforms u{};
+  const float turn = glm::radians(settings.environment.rotation);
+  const bool shown = job.request.background == Background::environment && job.environment != nullptr;
+  u.environment = {settings.environment.intensity, std::cos(turn), std::sin(turn), shown ? 1.0f : 0.0f};
+  // Without an environment to show, the background of that name is black and opaque.
+  if (job.request.background == Background::environment) u.background = {0.0f, 0.0f, 0.0f, 1.0f};
+  if (job.environment != nullptr) std::copy(job.environment->sh.begin(), job.environment->sh.end(), u.sh);
+  u.light_count = light_count;
+  u.seed = static_cast<std::uint32_t>(settings.frame.seed);
+  return u;
+}
+
+}  // namespace
+
+Renderer::Renderer(gpu::Toolbox& tools) : tools_(tools), executor_(tools) {
+  const auto lengths = bake::cached_best_fit_normal_lengths(kNormalTableSize);
+  normal_lengths_ = make_image(tools.device, {VK_FORMAT_R8_UNORM, kNormalTableSize, kNormalTableSize},
+                               std::as_bytes(std::span(lengths)));
+  const std::array<std::byte, 6 * 4> zeros{};
+  black_ = make_image(tools.device, {VK_FORMAT_R8G8B8A8_UNORM}, std::span(zeros).first(4));
+  black_cube_ = make_image(tools.device, {.format = VK_FORMAT_R8G8B8A8_UNORM, .layers = 6, .cube = true}, zeros);
+}
+
+const gpu::Image& Renderer::brdf_table(ShadingModel model) {
+  auto& table = brdf_tables_[static_cast<std::size_t>(model)];
+  if (!table) table = make_brdf_table(tools_.device, model);
+  return table;
+}
+
+RenderResult Renderer::render(const Job& job) {
+  const auto& request = job.request;
+  check_size(request);
+  const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
+  const auto view = upload::view_matrices(job.camera, aspect);
+  auto scene = upload::make_scene_tables(tools_.device, job.scene, job.moment, view, request.settings.lighting.punctual);
+  scene.texture_lod_bias =
+      -std::min(0.5f * std::log2(static_cast<float>(request.settings.frame.spp)), kMaxSharpening);
+
+  const gpu::ImageDesc sum_desc{VK_FORMAT_R32G32B32A32_SFLOAT, request.width, request.height};
+  if (!sum_ || sum_.desc() != sum_desc)
+    sum_ = gpu::Image(tools_.device, sum_desc,
+                      VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+  const bool lit = job.environment != nullptr;
+  const lighting::Environment environment{lit ? job.environment->background : black_,
+                                          lit ? job.environment->specular : black_cube_,
+                                          brdf_table(request.settings.lighting.model), lit};
+  const FrameInputs inputs{.scene = scene,
+                           .environment = environment,
+                           .normal_lengths = normal_lengths_,
+                           .sum = sum_,
+                           .width = request.width,
+                           .height = request.height,
+                           .settings = request.settings};
+  RenderResult result;
+  run_frames(job, inputs, picture_uniforms(job, scene.light_count), view, result.report);
+  for (const auto& name : request.dumps) result.dumps.push_back(dump_image(tools_.device, executor_, name));
+  read_picture(job, result);
+  result.report.device_bytes = tools_.device.memory().peak_bytes();
+  result.report.device = tools_.device.info().name;
+  return result;
+}
+
+void Renderer::check_size(const RenderRequest& request) const {
+  const std::uint32_t limit = tools_.device.caps().max_image_size;
+  if (request.width == 0 || request.height == 0 || std::max(request.width, request.height) > limit)
+    throw Error(ErrorCode::usage, fmt::format("a picture of {}x{} pixels cannot be made: {} takes 1 to {} a side",
+                                              request.width, request.height, tools_.device.info().name, limit));
+}
+
+void Renderer::run_frames(const Job& job, const FrameInputs& inputs, upload::FrameUniforms uniforms,
+                          const upload::ViewMatrices& view, RenderReport& report) {
+  const auto& settings = job.request.settings;
+  const auto count = static_cast<std::uint32_t>(settings.frame.spp);
+  Timings timings;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const glm::vec2 jitter = count == 1 ? glm::vec2(0.0f) : shading::pixel_jitter(i, count);
+    upload::set_camera(uniforms, view, {inputs.width, inputs.height}, jitter);
+    uniforms.frame_index = i;
+    inputs.scene.frame.mapped_as<upload::FrameUniforms>().front() = uniforms;
+
+    FrameInputs frame = inputs;
+    frame.first = i == 0;
+    graph::Graph graph;
+    add_frame(graph, frame);
+    executor_.run(graph, settings.frame.sync == Sync::paranoid);
+    timings.add_frame(executor_.timings());
+    if (job.request.on_frame) job.request.on_frame(i + 1, count);
+  }
+  timings.write(report);
+}
+
+void Renderer::read_picture(const Job& job, RenderResult& result) {
+  const auto& request = job.request;
+  graph::Graph graph;
+  const auto out = add_display(graph, {.sum = sum_,
+                                       .frames = static_cast<std::uint32_t>(request.settings.frame.spp),
+                                       .settings = request.settings,
+                                       .background = background_color(request),
+                                       .want_linear = request.want_linear,
+                                       .want_display = request.want_display});
+  if (graph.passes().empty()) return;
+  executor_.run(graph, request.settings.frame.sync == Sync::paranoid);
+  for (const auto& pass : executor_.timings()) result.report.passes.push_back({pass.name, pass.ms});
+
+  auto& picture = result.picture;
+  picture.width = request.width;
+  picture.height = request.height;
+  picture.display_bits = request.settings.output.bits;
+  const std::size_t values = std::size_t{4} * request.width * request.height;
+  if (request.want_linear) {
+    const auto mapped = executor_.buffer(out.linear).mapped_as<float>().first(values);
+    picture.linear.assign(mapped.begin(), mapped.end());
+  }
+  if (request.want_display) {
+    const auto mapped = executor_.buffer(out.display).mapped_as<std::uint16_t>().first(values);
+    picture.display.assign(mapped.begin(), mapped.end());
+  }
+}
+
+}  // namespace velarium::frame

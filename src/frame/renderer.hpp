@@ -1,0 +1,49 @@
+#pragma once
+
+#include "bake/environment.hpp"
+#include "frame/frame.hpp"
+#include "graph/executor.hpp"
+#include "scene/moment.hpp"
+#include "upload/scene_tables.hpp"
+
+#include <velarium/engine.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace velarium::frame {
+
+// One picture to be made.
+struct Job {
+  const upload::GpuScene& scene;
+  const scene::Moment& moment;
+  scene::CameraInstance camera;
+  const bake::Environment* environment = nullptr;   // null: none
+  const RenderRequest& request;
+};
+
+// Makes pictures: frames of a job, averaged, then displayed. Keeps tables and images between jobs.
+class Renderer {
+ public:
+  explicit Renderer(gpu::Toolbox& tools);
+
+  // Throws Error(usage) for a size that the device does not take and for the name of an image to dump that no frame
+  // makes, listing those there are.
+  [[nodiscard]] RenderResult render(const Job& job);
+
+ private:
+  void check_size(const RenderRequest& request) const;
+  void run_frames(const Job& job, const FrameInputs& inputs, upload::FrameUniforms uniforms,
+                  const upload::ViewMatrices& view, RenderReport& report);
+  void read_picture(const Job& job, RenderResult& result);
+  [[nodiscard]] const gpu::Image& brdf_table(ShadingModel model);
+
+  gpu::Toolbox& tools_;
+  graph::Executor executor_;
+  gpu::Image normal_lengths_, black_, black_cube_;
+  gpu::Image brdf_tables_[2];       // by ShadingModel, made when first asked for
+  gpu::Image sum_;
+};
+
+}  // namespace velarium::frame
