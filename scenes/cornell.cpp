@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <array>
+#include <cmath>
 
 namespace velarium::scene {
 namespace {
@@ -93,7 +94,7 @@ Scene cornell_scene() {
   add_blocks(builder, white);
   add_lamp(builder);
   // As measured: 35 mm focal length before 25 mm of film.
-  builder.place_camera("camera", 2.0f * std::atan(12.5f / 35.0f), place(278, 273, -800), place(278, 273, 0));
+  builder.place_camera(2.0f * std::atan(12.5f / 35.0f), 1.0f, place(278, 273, -800), place(278, 273, 0));
   return std::move(builder).take();
 }
 

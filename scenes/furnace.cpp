@@ -49,7 +49,7 @@ Scene furnace_scene() {
       builder.place_mesh(mesh, {x, y, 0.0f});
     }
   }
-  builder.place_camera("camera", glm::radians(20.0f), {0.0f, 0.0f, 12.0f}, glm::vec3(0.0f));
+  builder.place_camera(glm::radians(19.5f), 16.0f / 9.0f, {0.0f, 0.0f, 12.0f}, glm::vec3(0.0f));
   return std::move(builder).take();
 }
 

@@ -107,13 +107,13 @@ void SceneBuilder::place_light(Light light, const glm::vec3& position, const glm
   scene_.lights.push_back(std::move(light));
 }
 
-void SceneBuilder::place_camera(const std::string& name, float vertical_fov_rad, const glm::vec3& eye,
-                                const glm::vec3& target) {
-  Node& node = add_node(name, eye);
+void SceneBuilder::place_camera(float vertical_fov_rad, float aspect, const glm::vec3& eye, const glm::vec3& target) {
+  Node& node = add_node("camera", eye);
   node.rotation = glm::quatLookAt(glm::normalize(target - eye), glm::vec3(0.0f, 1.0f, 0.0f));
   node.camera = static_cast<std::int32_t>(scene_.cameras.size());
   Camera camera;
-  camera.name = name;
+  camera.name = node.name;
+  camera.aspect = aspect;
   camera.vertical_fov = vertical_fov_rad;
   camera.z_near = 0.05f;
   scene_.cameras.push_back(std::move(camera));

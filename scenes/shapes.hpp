@@ -30,7 +30,8 @@ class SceneBuilder {
   // Root nodes. Cameras and lights take the name of their node.
   void place_mesh(std::uint32_t mesh, const glm::vec3& position);
   void place_light(Light light, const glm::vec3& position, const glm::quat& rotation);
-  void place_camera(const std::string& name, float vertical_fov_rad, const glm::vec3& eye, const glm::vec3& target);
+  // `aspect`: width / height of what the camera frames.
+  void place_camera(float vertical_fov_rad, float aspect, const glm::vec3& eye, const glm::vec3& target);
 
   [[nodiscard]] Scene take() && { return std::move(scene_); }
 

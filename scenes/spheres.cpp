@@ -73,7 +73,7 @@ Scene spheres_scene() {
       builder.place_mesh(mesh, {x, kRadius, z});
     }
   }
-  builder.place_camera("camera", glm::radians(30.0f), {0.0f, 6.6f, 11.0f}, {0.0f, 0.15f, 0.1f});
+  builder.place_camera(glm::radians(27.0f), 16.0f / 9.0f, {0.0f, 7.6f, 10.6f}, {0.0f, 0.1f, 0.15f});
   return std::move(builder).take();
 }
 

@@ -115,13 +115,13 @@ TEST(Builtin, CornellWallsFaceInAndTheLampHasTheFluxOfItsArea) {
 }
 
 TEST(Builtin, EveryCameraSeesTheWholeScene) {
+  constexpr float kAspect = 1.0f;
   for (const std::string& name : builtin_names()) {
     const Scene scene = builtin_scene(name);
     const Moment moment = moment_at(scene, 0, "");
     ASSERT_EQ(moment.cameras.size(), 1u);
-    const float aspect = name == "cornell" ? 1.0f : 16.0f / 9.0f;
     const glm::mat4 clip_from_world =
-        clip_from_view(moment.cameras[0].camera, aspect) * glm::inverse(moment.cameras[0].world_from_view);
+        clip_from_view(moment.cameras[0].camera, kAspect) * glm::inverse(moment.cameras[0].world_from_view);
     glm::vec3 low(1e9f), high(-1e9f);
     for (const Instance& instance : moment.instances) {
       for (const glm::vec3& q : scene.primitives[instance.primitive].vertices.positions) {

@@ -1,0 +1,90 @@
+// Moments of the files in tests/data, against what the files were made to show.
+
+#include "scene/gltf.hpp"
+#include "scene/moment.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace velarium::scene {
+namespace {
+
+Scene test_scene(const char* name) {
+  return read_gltf(std::filesystem::path(VELARIUM_TEST_DATA) / name);
+}
+
+void expect_near(const glm::vec3& a, const glm::vec3& b) {
+  EXPECT_LE(glm::length(a - b), 1e-5f) << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' '
+                                       << b.z;
+}
+
+// Three joints a metre apart, the upper two turned by the same angle: the top stands at the end of three unit steps.
+TEST(MomentOfFile, TheSkinnedBarCurlsAsItsJointsTurn) {
+  const Scene scene = test_scene("skinned_bar.gltf");
+  for (const auto& [time, degrees] : {std::pair{0.0f, -35.0f}, std::pair{0.5f, 0.0f}, std::pair{1.0f, 35.0f}}) {
+    const Moment moment = moment_at(scene, time, "curl");
+    const VertexFrames& bar = moment.deformed.at(0);
+    const VertexFrames& rest = scene.primitives[moment.instances.at(0).primitive].vertices;
+    glm::vec3 top(0.0f);
+    float count = 0;
+    for (std::size_t i = 0; i < rest.positions.size(); ++i) {
+      if (rest.positions[i].y < 2.99f) continue;
+      top += bar.positions[i];
+      ++count;
+    }
+    const float a = glm::radians(degrees);
+    expect_near(top / count, {-std::sin(a) - std::sin(2 * a), 1 + std::cos(a) + std::cos(2 * a), 0});
+  }
+}
+
+// At one second the first target alone is applied: the top is sheared by 0.3 m, the bottom by as much to the left.
+TEST(MomentOfFile, TheMorphedCubeShears) {
+  const Moment moment = moment_at(test_scene("morph_cube.gltf"), 1.0f, "breathe");
+  expect_near(moment.bounds.min, {-0.8f, -0.5f, -0.5f});
+  expect_near(moment.bounds.max, {0.8f, 0.5f, 0.5f});
+}
+
+TEST(MomentOfFile, NegativeScaleMirrorsHalfOfTheStairs) {
+  const Moment moment = moment_at(test_scene("mirrored_and_masked.gltf"), 0, "");
+  std::size_t mirrored = 0;
+  for (const Instance& instance : moment.instances) mirrored += instance.mirrored ? 1 : 0;
+  EXPECT_EQ(mirrored, 3u);
+  EXPECT_EQ(moment.instances.size(), 8u);  // ground, twice three steps, screen
+}
+
+TEST(MomentOfFile, LightsPointWhereTheyWerePlaced) {
+  const Moment moment = moment_at(test_scene("lights.gltf"), 0, "");
+  ASSERT_EQ(moment.lights.size(), 3u);
+  expect_near(moment.lights[0].direction, glm::normalize(glm::vec3(2, -3, -2)));
+  expect_near(moment.lights[1].position, {-0.6f, 0.9f, 1.0f});
+  const float a = glm::radians(85.0f);
+  expect_near(moment.lights[2].direction, {0, -std::sin(a), -std::cos(a)});
+}
+
+// Quantized to steps of 1 / 16000, the knot keeps its shape: its tube of radius 0.13 about a curve within 0.77.
+TEST(MomentOfFile, QuantizedPositionsAreScaledBack) {
+  const Moment moment = moment_at(test_scene("quantized.gltf"), 0, "");
+  EXPECT_GT(moment.bounds.max.x, 0.85f);
+  EXPECT_LT(moment.bounds.max.x, 0.90f + 1e-4f);
+  EXPECT_NEAR(moment.bounds.max.z, 0.28f + 0.13f, 0.02f);
+}
+
+TEST(MomentOfFile, EveryFileHasItsCameraAndSomethingToSee) {
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(VELARIUM_TEST_DATA)) {
+    if (entry.path().extension() != ".gltf" && entry.path().extension() != ".glb") continue;
+    ++files;
+    const Moment moment = moment_at(read_gltf(entry.path()), 0, "");
+    EXPECT_EQ(moment.cameras.size(), 1u) << entry.path();
+    EXPECT_FALSE(moment.bounds.empty()) << entry.path();
+  }
+  EXPECT_GE(files, 18u);
+}
+
+}  // namespace
+}  // namespace velarium::scene

@@ -1,0 +1,478 @@
+#!/usr/bin/env python3
+"""Writes the glTF files of tests/data, each small and about one feature: python3 tools/make_test_data.py [FOLDER]"""
+
+import math
+import pathlib
+import struct
+import sys
+
+from make_test_data_gltf import (
+    I8,
+    I16,
+    LINE_LOOP,
+    LINE_STRIP,
+    LINES,
+    POINTS,
+    TRIANGLE_FAN,
+    TRIANGLE_STRIP,
+    U16,
+    Gltf,
+    box,
+    cross,
+    ground,
+    looking,
+    png,
+    quad,
+    single,
+    sphere,
+    sub,
+    turn,
+    unit,
+)
+
+REPEAT, CLAMP, MIRROR = 10497, 33071, 33648
+NEAREST, LINEAR, LINEAR_MIPS = 9728, 9729, 9987
+
+
+def letter_picture():
+    """16 x 16, different at each edge and under each turn: a white F on a ground that changes from corner to corner."""
+
+    def pixel(x, y):
+        letter = (x in (4, 5) and 3 <= y < 13) or (y in (3, 4) and 4 <= x < 12) or (y in (7, 8) and 4 <= x < 10)
+        return (255, 255, 255, 255) if letter else (60 + 12 * x, 60 + 12 * y, 120, 255)
+
+    return png(16, 16, pixel)
+
+
+def triangle():
+    g = Gltf()
+    mesh = g.mesh(g.primitive([[-0.9, -0.7, 0], [0.9, -0.7, 0], [0, 0.9, 0]], material=g.material([0.9, 0.35, 0.1, 1])))
+    g.node(mesh=mesh)
+    g.camera([0, 0, 3.6], [0, 0, 0])
+    return g
+
+
+def wrap_modes():
+    g = Gltf()
+    image = g.image(letter_picture())
+    for row, t in enumerate((REPEAT, MIRROR, CLAMP)):
+        for column, s in enumerate((REPEAT, MIRROR, CLAMP)):
+            texture = g.texture(image, wrapS=s, wrapT=t, magFilter=NEAREST, minFilter=LINEAR_MIPS)
+            shape = quad(0.94, 0.94, u=(-0.75, 1.75), v=(-0.75, 1.75))
+            mesh = g.mesh(g.primitive(**shape, material=g.material(texture=texture, roughness=0.9)))
+            g.node(mesh=mesh, translation=[column - 1, 1 - row, 0])
+    g.camera([0, 0, 5], [0, 0, 0])
+    return g
+
+
+def vertex_colors():
+    g = Gltf()
+    shape = box()
+    colors = [[round(255 * (c + 0.5)) for c in p] + [255] for p in shape["positions"]]
+    mesh = g.mesh(g.primitive(**shape, colors=colors, material=g.material(roughness=0.6)))
+    g.node(mesh=mesh)
+    g.camera([1.6, 1.3, 2.2], [0, -0.03, 0])
+    return g
+
+
+def sparse():
+    """A flat grid whose inner points a sparse accessor lifts; without normals, so each facet is flat."""
+    g = Gltf()
+    n = 8
+    grid = [[i - n / 2, 0, j - n / 2] for j in range(n + 1) for i in range(n + 1)]
+    position = g.attribute(grid, "VEC3", bounds=True)
+    lifted, heights = [], []
+    for k, (x, _, z) in enumerate(grid):
+        y = 2.2 * math.exp(-(x * x + z * z) / 7) * (1 + 0.35 * math.cos(2.2 * x) * math.cos(1.7 * z))
+        if y > 0.2:
+            lifted.append(k)
+            heights.append([x, single(y), z])
+    accessor = g.root["accessors"][position]
+    accessor["max"][1] = max(h[1] for h in heights)
+    accessor["sparse"] = {
+        "count": len(lifted),
+        "indices": {"bufferView": g.view(struct.pack(f"<{len(lifted)}H", *lifted)), "componentType": U16},
+        "values": {"bufferView": g.view(b"".join(struct.pack("<3f", *h) for h in heights))},
+    }
+    indices = []
+    for j in range(n):
+        for i in range(n):
+            a = j * (n + 1) + i
+            indices += [a, a + n + 1, a + 1, a + 1, a + n + 1, a + n + 2]
+    material = g.material([0.35, 0.55, 0.3, 1], roughness=0.8)
+    primitive = {"attributes": {"POSITION": position}, "indices": g.indices(indices), "material": material}
+    g.node(mesh=g.mesh(primitive))
+    g.camera([7.0, 8.1, 11.3], [0, 0.1, 0])
+    return g
+
+
+def primitive_modes():
+    """All seven modes, one a cell of a 3 x 3 grid."""
+    g = Gltf()
+    ring = [[0.38 * math.cos(math.radians(60 * k + 90)), 0.38 * math.sin(math.radians(60 * k + 90)), 0] for k in range(6)]
+    zigzag = [[-0.4 + 0.2 * k, 0.3 if k % 2 else -0.3, 0] for k in range(5)]
+    cells = [
+        (POINTS, ring + [[0, 0, 0]], None, [0.9, 0.8, 0.1]),
+        (LINES, [p for k in range(6) for p in ([0, 0, 0], ring[k])], None, [0.1, 0.8, 0.9]),
+        (LINE_LOOP, ring, None, [0.9, 0.2, 0.6]),
+        (LINE_STRIP, zigzag, None, [0.3, 0.9, 0.3]),
+        (None, [ring[0], ring[2], ring[4]], None, [0.8, 0.8, 0.8]),
+        (TRIANGLE_STRIP, [zigzag[k] for k in (1, 0, 3, 2)] + [zigzag[4]], [0, 1, 2, 3, 4], [0.9, 0.4, 0.1]),
+        (TRIANGLE_FAN, [[0, 0, 0]] + ring + [ring[0]], None, [0.2, 0.4, 0.9]),
+    ]
+    for k, (mode, points, indices, color) in enumerate(cells):
+        unlit = mode is not None and mode < 4
+        extensions = {"KHR_materials_unlit": {}} if unlit else None
+        material = g.material(color + [1], extensions=extensions, doubleSided=True)
+        normals = None if unlit else [[0, 0, 1]] * len(points)
+        shape = dict(positions=points, normals=normals, indices=indices, material=material)
+        mesh = g.mesh(g.primitive(**shape) if mode is None else g.primitive(**shape, mode=mode))
+        x, y = (k % 3 - 1, 1 - k // 3) if k < 6 else (0, -1)
+        g.node(mesh=mesh, translation=[x, y, 0])
+    g.camera([0, 0, 5], [0, 0, 0])
+    return g
+
+
+def animate(g, name, node, path, times, values, interpolation="LINEAR"):
+    kind = {"translation": "VEC3", "scale": "VEC3", "rotation": "VEC4", "weights": "SCALAR"}[path]
+    sampler = {
+        "input": g.accessor(times, "SCALAR", bounds=True),
+        "output": g.accessor(values, kind),
+        "interpolation": interpolation,
+    }
+    tracks = g.root.setdefault("animations", [])
+    if not any(a["name"] == name for a in tracks):
+        tracks.append({"name": name, "samplers": [], "channels": []})
+    track = next(a for a in tracks if a["name"] == name)
+    track["samplers"].append(sampler)
+    target = {"node": node, "path": path}
+    track["channels"].append({"sampler": len(track["samplers"]) - 1, "target": target})
+
+
+def morph_cube():
+    """A cube that a first target shears and a second opens like a flower; the animation starts half way."""
+    g = Gltf()
+    shape = box()
+    shear = [[0.6 * p[1], 0, 0] for p in shape["positions"]]
+    bloom = [[0.5 * p[0] if p[1] > 0 else 0, 0, 0.5 * p[2] if p[1] > 0 else 0] for p in shape["positions"]]
+    primitive = g.primitive(**{k: shape[k] for k in ("positions", "indices")}, material=g.material([0.2, 0.5, 0.8, 1]))
+    primitive["targets"] = [{"POSITION": g.attribute(t, "VEC3", bounds=True)} for t in (shear, bloom)]
+    node = g.node(mesh=g.mesh(primitive, weights=[0.5, 0.5]))
+    animate(g, "breathe", node, "weights", [0, 1, 2], [0.5, 0.5, 1, 0, 0.5, 0.5])
+    g.camera([2.0, 1.6, 3.2], [0.02, 0.0, 0])
+    return g
+
+
+def skinned_bar():
+    """A bar of square section on three joints, each turned against the one below it: it curls, and uncurls."""
+    g = Gltf()
+    steps, height, half = 12, 3.0, 0.3
+    positions, normals, joints, weights, indices = [], [], [], [], []
+    for side in range(4):
+        n = [[0, 0, 1], [1, 0, 0], [0, 0, -1], [-1, 0, 0]][side]
+        right = cross([0, 1, 0], n)
+        first = len(positions)
+        for i in range(steps + 1):
+            y = height * i / steps
+            along = min(max(y - 0.5, 0.0), 2.0)  # 0, 1 and 2 at the middle of each joint's reach
+            low = min(int(along), 1)
+            share = single(along - low)
+            for s in (-1, 1):
+                positions.append([half * (n[0] + s * right[0]), y, half * (n[2] + s * right[2])])
+                normals.append(n)
+                joints.append([low if share < 1 else 0, low + 1 if share > 0 else 0, 0, 0])
+                weights.append([1 - share, share, 0, 0])
+        for i in range(steps):
+            a = first + 2 * i
+            indices += [a, a + 1, a + 3, a, a + 3, a + 2]
+    primitive = g.primitive(positions, normals, indices=indices, material=g.material([0.75, 0.3, 0.2, 1], doubleSided=True))
+    primitive["attributes"]["JOINTS_0"] = g.attribute(joints, "VEC4", U16)
+    primitive["attributes"]["WEIGHTS_0"] = g.attribute(weights, "VEC4")
+    bones = [g.node(root=k == 0, name=f"joint {k}", translation=[0, 1 if k else 0, 0]) for k in range(3)]
+    for k in (0, 1):
+        g.root["nodes"][bones[k]]["children"] = [bones[k + 1]]
+    inverse = [[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -k, 0, 1] for k in range(3)]
+    skin = g.add("skins", {"joints": bones, "inverseBindMatrices": g.accessor(inverse, "MAT4"), "skeleton": bones[0]})
+    g.node(mesh=g.mesh(primitive), skin=skin, name="bar")
+    for bone in bones[1:]:
+        turns = [turn([0, 0, 1], d) for d in (-35, 35, -35)]
+        animate(g, "curl", bone, "rotation", [0, 1, 2], turns)
+    g.camera([1.9, 2.6, 6.2], [0.45, 1.45, 0])
+    return g
+
+
+def mirrored_and_masked():
+    """A stair and its mirror image by negative scale; behind them a masked, double-sided, bent screen."""
+    g = Gltf()
+    g.node(mesh=g.mesh(g.primitive(**ground(6), material=g.material([0.5, 0.5, 0.5, 1], roughness=0.9))))
+    stone = g.material([0.7, 0.55, 0.4, 1], roughness=0.7)
+    steps = [g.mesh(g.primitive(**box(0.4, 0.3 * (k + 1), 0.6), material=stone)) for k in range(3)]
+    for x, sign in ((0.25, 1), (-0.25, -1)):
+        stair = [
+            g.node(root=False, mesh=step, translation=[0.2 + 0.4 * k, 0.15 * (k + 1), 0.1 * k])
+            for k, step in enumerate(steps)
+        ]
+        g.node(translation=[x, 0, 0.6], scale=[sign, 1, 1], children=stair)
+
+    def pixel(x, y):
+        hole = math.hypot(x % 8 - 3.5, y % 8 - 3.5) < 2.6
+        return (230, 200, 90, 0 if hole else 255)
+
+    texture = g.texture(g.image(png(32, 32, pixel)), magFilter=LINEAR, minFilter=LINEAR_MIPS)
+    screen = g.material(texture=texture, alphaMode="MASK", alphaCutoff=0.5, doubleSided=True, roughness=0.6)
+    bent = dict(positions=[], normals=[], uv=[], indices=[])
+    for i in range(13):
+        angle = math.radians(-75 + 12.5 * i)
+        for j in (0, 1):
+            bent["positions"].append([1.6 * math.sin(angle), 1.5 * (1 - j), 0.6 - 1.6 * math.cos(angle)])
+            bent["normals"].append([math.sin(angle), 0, -math.cos(angle)])
+            bent["uv"].append([3 * i / 12, 1.2 * j])
+        if i:
+            a = 2 * i - 2
+            bent["indices"] += [a, a + 2, a + 1, a + 1, a + 2, a + 3]
+    g.node(mesh=g.mesh(g.primitive(**bent, material=screen)))
+    g.camera([0.6, 2.6, 6.0], [0, 0.5, 0])
+    return g
+
+
+def blend_layers():
+    """Coloured panes one behind the other, in the file from front to back: drawn in that order, all but one vanish."""
+    g = Gltf()
+
+    def pixel(x, y):
+        return (235, 235, 235, 255) if (x // 4 + y // 4) % 2 else (40, 40, 40, 255)
+
+    texture = g.texture(g.image(png(32, 32, pixel)), magFilter=NEAREST, minFilter=LINEAR_MIPS)
+    wall = g.mesh(g.primitive(**quad(3, 3), material=g.material(texture=texture, roughness=0.9)))
+    panes = [([0.9, 0.1, 0.1, 0.5], 0.5, 0.4), ([0.1, 0.8, 0.1, 0.5], 0.1, 0.1), ([0.1, 0.2, 0.9, 0.5], -0.3, -0.2)]
+    for color, z, shift in panes:
+        material = g.material(color, roughness=0.3, alphaMode="BLEND", doubleSided=True)
+        mesh = g.mesh(g.primitive(**quad(1.3, 1.3), material=material))
+        g.node(mesh=mesh, translation=[shift, 0.7 * shift, z])
+    g.node(mesh=wall, translation=[0, 0, -1])
+    g.camera([0.5, 0.4, 4.4], [0, 0, -0.3])
+    return g
+
+
+def lights():
+    """A dim sun from the left, a warm bulb in front, a blue spot from above."""
+    g = Gltf()
+    grey = g.material([0.6, 0.6, 0.6, 1], roughness=0.8)
+    g.node(mesh=g.mesh(g.primitive(**ground(8), material=grey)))
+    g.node(mesh=g.mesh(g.primitive(**quad(8, 4), material=grey)), translation=[0, 2, -1.5])
+    ball = g.mesh(g.primitive(**sphere(0.5, 14, 28), material=g.material([0.8, 0.8, 0.8, 1], roughness=0.35)))
+    for x in (-1.1, 0, 1.1):
+        g.node(mesh=ball, translation=[x, 0.5, 0])
+    g.light([0, 3, 0], looking([-2, 3, 2], [0, 0, 0]), name="sun", type="directional", intensity=0.8)
+    g.light([-0.6, 0.9, 1.0], [0, 0, 0, 1], name="bulb", type="point", intensity=1.5, color=[1, 0.6, 0.25], range=8)
+    cone = {"innerConeAngle": 0.2, "outerConeAngle": 0.45}
+    g.light([1.1, 3, 0.4], turn([1, 0, 0], -85), name="spot", type="spot", intensity=20, color=[0.3, 0.5, 1], spot=cone)
+    g.camera([0, 1.7, 5.2], [0, 0.75, 0])
+    return g
+
+
+def texture_transform():
+    """As it is; moved by a quarter; turned by 30 degrees; scaled and turned."""
+    g = Gltf()
+    texture = g.texture(g.image(letter_picture()), magFilter=LINEAR, minFilter=LINEAR_MIPS)
+    transforms = [{}, {"offset": [0.25, 0.25]}, {"rotation": 0.5235988}, {"scale": [2, 3], "rotation": -0.4, "offset": [0.1, 0.3]}]
+    for k, transform in enumerate(transforms):
+        info = {"index": texture}
+        if transform:
+            g.extension("KHR_texture_transform")
+            info["extensions"] = {"KHR_texture_transform": transform}
+        mesh = g.mesh(g.primitive(**quad(), material=g.material(texture=info, roughness=0.9)))
+        g.node(mesh=mesh, translation=[1.06 * (k % 2) - 0.53, 0.53 - 1.06 * (k // 2), 0])
+    g.camera([0, 0, 3.7], [0, 0, 0])
+    return g
+
+
+def unlit():
+    """A shaded and an unlit ball of one colour, before an unlit picture."""
+    g = Gltf()
+    texture = g.texture(g.image(letter_picture()), magFilter=NEAREST, minFilter=LINEAR_MIPS)
+    none = {"KHR_materials_unlit": {}}
+    board = g.mesh(g.primitive(**quad(3, 3), material=g.material([0.5, 0.5, 0.5, 1], texture=texture, extensions=none)))
+    g.node(mesh=board, translation=[0, 0, -0.8])
+    ball = g.primitive(**sphere(0.5, 14, 28))
+    for x, extensions in ((-0.6, None), (0.6, none)):
+        material = g.material([0.9, 0.45, 0.05, 1], roughness=0.4, extensions=extensions)
+        g.node(mesh=g.mesh(dict(ball, material=material)), translation=[x, 0, 0])
+    g.camera([0, 0, 4], [0, 0, 0])
+    return g
+
+
+def emissive_strength():
+    """Five bars in front of a dark wall, each twice as bright as the one before it; a faint sun."""
+    g = Gltf()
+    dark = g.material([0.1, 0.1, 0.1, 1], roughness=0.6)
+    g.node(mesh=g.mesh(g.primitive(**quad(6, 6), material=dark)), translation=[0, 0, -0.6])
+    bar = g.primitive(**box(0.3, 1.6, 0.3))
+    for k in range(5):
+        strength = {"KHR_materials_emissive_strength": {"emissiveStrength": 2.0**k}}
+        material = g.material([0, 0, 0, 1], emissiveFactor=[0.9, 0.35, 0.12], extensions=strength)
+        g.node(mesh=g.mesh(dict(bar, material=material)), translation=[0.55 * (k - 2), 0, 0])
+    g.light([0, 2, 2], looking([-1, 2, 3], [0, 0, 0]), name="sun", type="directional", intensity=1)
+    g.camera([0, 0.4, 4.8], [0, 0, 0])
+    return g
+
+
+def specular_and_ior():
+    """Dark smooth balls. Upper row: index of refraction 1, 1.33, 1.8, 2.4. Lower row: specular 0, 0.5, 1, 1 tinted."""
+    g = Gltf()
+    upper = [{"KHR_materials_ior": {"ior": ior}} for ior in (1.0, 1.33, 1.8, 2.4)]
+    lower = [{"KHR_materials_specular": {"specularFactor": s}} for s in (0.0, 0.5, 1.0)]
+    lower.append({"KHR_materials_specular": {"specularColorFactor": [1.0, 0.3, 0.1]}})
+    ball = g.primitive(**sphere(0.46, 14, 28))
+    for row, extensions in enumerate((upper, lower)):
+        for column, extension in enumerate(extensions):
+            material = g.material([0.03, 0.03, 0.05, 1], roughness=0.15, extensions=extension)
+            mesh = g.mesh(dict(ball, material=material))
+            g.node(mesh=mesh, translation=[column - 1.5, 0.5 - row, 0])
+    g.camera([0, 0, 6.9], [0, 0, 0])
+    return g
+
+
+def torus_knot(rings=72, sides=8):
+    """The trefoil, within 1 of the origin: positions, normals, uv, indices."""
+
+    def curve(t):
+        r = 0.55 + 0.22 * math.cos(3 * t)
+        return [r * math.cos(2 * t), r * math.sin(2 * t), 0.28 * math.sin(3 * t)]
+
+    out = dict(positions=[], normals=[], uv=[], indices=[])
+    for i in range(rings + 1):
+        t = 2 * math.pi * i / rings
+        here = curve(t)
+        along = unit(sub(curve(t + 1e-3), here))
+        side = unit(cross(along, here))
+        up = cross(side, along)
+        for j in range(sides + 1):
+            angle = 2 * math.pi * j / sides
+            n = [math.cos(angle) * a + math.sin(angle) * b for a, b in zip(side, up)]
+            out["positions"].append([h + 0.13 * c for h, c in zip(here, n)])
+            out["normals"].append(n)
+            out["uv"].append([i / rings, j / sides])
+    for i in range(rings):
+        for j in range(sides):
+            a = i * (sides + 1) + j
+            b = a + sides + 1
+            out["indices"] += [a, b, a + 1, a + 1, b, b + 1]
+    return out
+
+
+def quantized():
+    """A knot in 16-bit positions and uv and 8-bit normals, scaled back by its node; stripes follow its uv."""
+    g = Gltf().extension("KHR_mesh_quantization", required=True)
+    knot = torus_knot()
+
+    def to_int(rows, scale):
+        return [[round(scale * x) for x in row] for row in rows]
+
+    def pixel(x, y):
+        return (230, 170, 60, 255) if (x + y) % 8 < 4 else (120, 40, 90, 255)
+
+    texture = g.texture(g.image(png(32, 8, pixel)), magFilter=LINEAR, minFilter=LINEAR_MIPS)
+    transform = {"KHR_texture_transform": {"scale": [6, 1]}}
+    g.extension("KHR_texture_transform")
+    material = g.material(texture={"index": texture, "extensions": transform}, roughness=0.35)
+    attributes = {
+        "POSITION": g.attribute(to_int(knot["positions"], 16000), "VEC3", I16, bounds=True, stride=8),
+        "NORMAL": g.attribute(to_int(knot["normals"], 127), "VEC3", I8, normalized=True, stride=4),
+        "TEXCOORD_0": g.attribute(to_int(knot["uv"], 65535), "VEC2", U16, normalized=True),
+    }
+    mesh = g.mesh({"attributes": attributes, "indices": g.indices(knot["indices"]), "material": material})
+    g.node(mesh=mesh, scale=[1 / 16000] * 3)
+    g.camera([0.5, 0.6, 3.1], [0, 0, 0])
+    return g
+
+
+def normal_map():
+    """Domes in a plate and on a ball, by a normal map alone; no tangents in the file. The plate's right half has its
+    texture mirrored: its domes stand out all the same."""
+    g = Gltf()
+
+    def pixel(x, y):
+        dx, dy = (x % 16 - 7.5) / 7.0, (y % 16 - 7.5) / 7.0
+        rise = math.hypot(dx, dy)
+        n = [0.8 * dx, -0.8 * dy, math.sqrt(1 - 0.64 * rise * rise)] if rise < 1 else [0, 0, 1]
+        return tuple(round(127.5 + 127.5 * c) for c in n) + (255,)
+
+    texture = g.texture(g.image(png(16, 16, pixel)), magFilter=LINEAR, minFilter=LINEAR_MIPS)
+    material = g.material([0.55, 0.6, 0.65, 1], metallic=0.0, roughness=0.35, normalTexture={"index": texture})
+    plate = dict(positions=[], normals=[[0, 0, 1]] * 6, uv=[], indices=[0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4])
+    for v, y in ((2, -0.6), (0, 0.6)):
+        for u, x in ((0, -1.2), (2, 0), (0, 1.2)):
+            plate["positions"].append([x, y, 0])
+            plate["uv"].append([u, v])
+    g.node(mesh=g.mesh(g.primitive(**plate, material=material)), translation=[0, -0.62, 0])
+    ball = sphere(0.6, 12, 24, with_uv=True)
+    ball["uv"] = [[8 * u, 4 * v] for u, v in ball["uv"]]
+    g.node(mesh=g.mesh(g.primitive(**ball, material=material)), translation=[0, 0.66, 0])
+    g.light([0, 2, 2], looking([-2, 2.5, 3], [0, 0, 0]), name="sun", type="directional", intensity=3)
+    g.camera([0, 0, 4.3], [0, 0, 0])
+    return g
+
+
+def orthographic():
+    """A stair of cubes in isometric view: edges of equal length are equally long in the picture."""
+    g = Gltf()
+    cube = g.primitive(**box())
+    colors = ([0.8, 0.25, 0.2, 1], [0.85, 0.7, 0.2, 1], [0.2, 0.5, 0.75, 1])
+    meshes = [g.mesh(dict(cube, material=g.material(c, roughness=0.7))) for c in colors]
+    for x in range(3):
+        for z in range(3):
+            for y in range(3 - max(x, z)):
+                g.node(mesh=meshes[y], translation=[x - 1, y - 1, z - 1])
+    lens = {"type": "orthographic", "orthographic": {"xmag": 2.7, "ymag": 2.7, "znear": 0.1, "zfar": 20}}
+    g.node(name="camera", camera=g.add("cameras", lens), translation=[5, 5, 5], rotation=looking([1, 1, 1], [0, 0, 0]))
+    return g
+
+
+def embedded():
+    """A crate: positions, picture and all in one binary file."""
+    g = Gltf()
+
+    def pixel(x, y):
+        frame = min(x, y, 31 - x, 31 - y) < 4 or abs(x - y) < 3
+        grain = 18 * ((x * 7 + y * 3) % 5)
+        return (150 + grain // 2, 100 + grain // 2, 50 + grain // 3, 255) if frame else (190, 140 + grain // 4, 80, 255)
+
+    texture = g.texture(g.image(png(32, 32, pixel)), magFilter=LINEAR, minFilter=LINEAR_MIPS, wrapS=CLAMP, wrapT=CLAMP)
+    g.node(mesh=g.mesh(g.primitive(**box(), material=g.material(texture=texture, roughness=0.8))))
+    g.camera([1.5, 1.3, 2.2], [0, -0.03, 0])
+    return g
+
+
+SCENES = [
+    triangle,
+    wrap_modes,
+    vertex_colors,
+    sparse,
+    primitive_modes,
+    morph_cube,
+    skinned_bar,
+    mirrored_and_masked,
+    blend_layers,
+    lights,
+    texture_transform,
+    unlit,
+    emissive_strength,
+    specular_and_ior,
+    quantized,
+    normal_map,
+    orthographic,
+]
+
+
+def main():
+    default = pathlib.Path(__file__).resolve().parent.parent / "tests" / "data"
+    folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else default
+    folder.mkdir(parents=True, exist_ok=True)
+    for scene in SCENES:
+        scene().write_gltf(folder / f"{scene.__name__}.gltf")
+    embedded().write_glb(folder / "embedded.glb")
+
+
+if __name__ == "__main__":
+    main()
