@@ -43,6 +43,7 @@ class TemporaryFolder {
   std::filesystem::path write(const std::string& name, std::string_view content) const {
     const std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
+    std::filesystem::remove(file);  // truncating instead makes some file systems flush to disk, thousands of times here
     std::ofstream(file, std::ios::binary) << content;
     return file;
   }
