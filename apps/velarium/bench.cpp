@@ -49,7 +49,8 @@ void Bench::declare(CLI::App& verb) {
   verb.add_option("SCENE", scenes_, "files or builtin:NAME [every built-in scene]");
   verb.add_flag("--list", list_, "print the names of the scenes, and measure nothing");
   flags_ = std::make_unique<Flags>(verb, view_.request.settings);
-  flags_->add({"--frames", "N", fmt::format("frames measured a scene, the first excluded [{}]", frames_),
+  flags_->add({"--frames", "N",
+               fmt::format("frames measured a scene, the first excluded, instead of frame.spp [{}]", frames_),
                [this](const std::string& text) { frames_ = parse_count(text, 2, kMostFrames); }});
   flags_->add({"--warm-up", "N", fmt::format("frames rendered before [{}]", warm_up_),
                [this](const std::string& text) { warm_up_ = parse_count(text, 0, kMostFrames); }});

@@ -45,7 +45,8 @@ void set_background(RenderRequest& request, const std::string& text) {
 
 void add_light_flags(Flags& flags, View& view) {
   RenderRequest& request = view.request;
-  flags.add({"--env", "FILE|studio|none", "light from far away: .hdr or .exr [studio where the scene has no light]",
+  flags.add({"--env", "FILE|studio|white|none",
+             "light from far away: .hdr or .exr [studio where the scene has no light]",
              [&request](const std::string& text) { request.environment = text; }});
   flags.add_option("--env-rotate", "DEGREES", "environment.rotation");
   flags.add_option("--env-intensity", "X", "environment.intensity");
@@ -66,7 +67,6 @@ void add_display_flags(Flags& flags, View& view) {
                set_option(settings, "display.exposure_mode", "ev100");
              }});
   flags.add_option("--tonemap", "NAME", "display.tonemap");
-  flags.add_option("--spp", "N", "frame.spp");
 }
 
 }  // namespace

@@ -66,10 +66,16 @@ def needs_device(test):
     return unittest.skipUnless(usable, "no Vulkan device that can render")(test)
 
 
+TRIANGLE = struct.pack("<9f", -1, -1, 0, 1, -1, 0, 0, 1, 0)
+
+
+def data_uri(data):
+    return "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+
+
 def triangle_gltf(**changes):
     """A glTF file of one triangle, with its buffer inside; `changes` replace top-level properties."""
-    buffer = struct.pack("<9f", -1, -1, 0, 1, -1, 0, 0, 1, 0)
-    uri = "data:application/octet-stream;base64," + base64.b64encode(buffer).decode()
+    uri = data_uri(TRIANGLE)
     scene = {
         "asset": {"version": "2.0"},
         "scene": 0,
@@ -78,8 +84,8 @@ def triangle_gltf(**changes):
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
         "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
                        "min": [-1, -1, 0], "max": [1, 1, 0]}],
-        "bufferViews": [{"buffer": 0, "byteLength": len(buffer)}],
-        "buffers": [{"uri": uri, "byteLength": len(buffer)}],
+        "bufferViews": [{"buffer": 0, "byteLength": len(TRIANGLE)}],
+        "buffers": [{"uri": uri, "byteLength": len(TRIANGLE)}],
     }
     return json.dumps({**scene, **changes})
 

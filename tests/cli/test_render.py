@@ -2,14 +2,35 @@
 
 import json
 import signal
+import struct
 import time
 
-from harness import (CliTest, INTERRUPTED, MISSING, NO_DEVICE, OK, SMALL, TERMINATED, USAGE, main, needs_device, read_png,
-                     triangle_gltf)
+from harness import (CliTest, INTERRUPTED, INVALID, MISSING, NO_DEVICE, OK, SMALL, TERMINATED, TRIANGLE, USAGE, data_uri, main,
+                     needs_device, read_png, triangle_gltf)
 
 LAMP = {"extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional", "intensity": 3.0}]}},
         "extensionsUsed": ["KHR_lights_punctual"],
         "nodes": [{"mesh": 0, "extensions": {"KHR_lights_punctual": {"light": 0}}}]}
+
+# Two cameras, before and behind the triangle, which faces +Z and is seen from there alone.
+CAMERAS = {"cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}],
+           "nodes": [{"mesh": 0}, {"camera": 0, "name": "front", "translation": [0, 0, 4]},
+                     {"camera": 0, "name": "back", "translation": [0, 0, -4], "rotation": [0, 1, 0, 0]}],
+           "scenes": [{"nodes": [0, 1, 2]}]}
+
+
+def moving_gltf():
+    """The triangle moves 2 m to the right within a second; the camera stays."""
+    times, places = struct.pack("<2f", 0, 1), struct.pack("<6f", 0, 0, 0, 2, 0, 0)
+    data = TRIANGLE + times + places
+    views = [{"buffer": 0, "byteOffset": offset, "byteLength": size} for offset, size in ((0, 36), (36, 8), (44, 24))]
+    accessors = [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]},
+                 {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR", "min": [0], "max": [1]},
+                 {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC3"}]
+    move = {"name": "move", "samplers": [{"input": 1, "output": 2}],
+            "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}
+    return triangle_gltf(buffers=[{"uri": data_uri(data), "byteLength": len(data)}], bufferViews=views,
+                         accessors=accessors, animations=[move], **CAMERAS)
 
 
 def total(png):
@@ -92,7 +113,7 @@ class Flags(CliTest):
     def test_flags_that_do_not(self):
         base = self.render().read_bytes()
         for flags in (["--env-rotate", "0"], ["--camera", ""], ["-D", "frame.sync=paranoid"], ["--time", "0"],
-                      ["--device", "0"], ["--allow-outside-files"], ["--progress", "none"], ["-v"]):
+                      ["--device", "0"], ["--validation"], ["-D", "frame.spp=1"], ["--allow-outside-files"], ["--progress", "none"], ["-v"]):
             self.assertEqual(self.render(*flags).read_bytes(), base, flags)
 
     def test_cameras_animations_and_environments_that_are_not_there(self):
@@ -101,6 +122,31 @@ class Flags(CliTest):
         self.expect(MISSING, "render", *SMALL, "--env", "none.hdr", says="none.hdr")
         self.expect(NO_DEVICE, "render", *SMALL, "--device", "abacus", says="abacus")
         self.assertEqual(self.names(), [])
+
+    def test_cameras_by_name_and_index(self):
+        self.write("a.gltf", triangle_gltf(**CAMERAS))
+        front = self.render("a.gltf").read_bytes()
+        back = self.render("a.gltf", "--camera", "back").read_bytes()
+        self.assertNotEqual(front, back)
+        for choice, picture in (("front", front), ("0", front), ("1", back)):
+            self.assertEqual(self.render("a.gltf", "--camera", choice).read_bytes(), picture, choice)
+
+    def test_times_and_animations(self):
+        self.write("a.gltf", moving_gltf())
+        start = self.render("a.gltf").read_bytes()
+        end = self.render("a.gltf", "--time", "1").read_bytes()
+        self.assertNotEqual(start, end)
+        for animation in ("move", "0", "all"):
+            self.assertEqual(self.render("a.gltf", "--time", "2", "--animation", animation).read_bytes(), end, animation)
+
+    def test_environments(self):
+        pictures = {self.render("--env", name).read_bytes() for name in ("studio", "white", "none")}
+        self.assertEqual(len(pictures), 3)
+        # One pixel of radiance 1 everywhere is what "white" means.
+        self.write("one.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" + 2 * b"\x80\x80\x80\x81")
+        self.assertEqual(self.render("--env", "one.hdr").read_bytes(), self.render("--env", "white").read_bytes())
+        self.write("cut.hdr", b"#?RADIANCE\n")
+        self.expect(INVALID, "render", *SMALL, "--env", "cut.hdr", says="cut.hdr")
 
     def test_light_and_exposure(self):
         self.write("a.gltf", triangle_gltf(**LAMP))
@@ -133,7 +179,12 @@ class Reports(CliTest):
         self.check_timings(json.loads(self.expect(OK, "render", *SMALL, "--spp", "3", "--timings", "-")))
 
     def test_dumps(self):
-        self.expect(USAGE, "render", *SMALL, "--dump", "no.such=d.png", says="no.such")
+        self.expect(OK, "render", *SMALL, "--dump", "gbuffer.depth=d.exr", "--dump", "gbuffer.rt0=n.png", "-o", "a.png")
+        self.assertEqual(self.names(), ["a.png", "d.exr", "n.png"])
+        self.assertEqual(read_png(self.folder / "n.png")[:2], (48, 32))
+
+    def test_dumps_that_are_not_there(self):
+        self.expect(USAGE, "render", *SMALL, "--dump", "gbuffer.detph=d.png", says="gbuffer.depth")
         self.assertEqual(self.names(), [])
 
     def test_progress(self):

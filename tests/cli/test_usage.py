@@ -5,7 +5,8 @@ import os
 import pathlib
 import subprocess
 
-from harness import BINARY, CliTest, INVALID, MISSING, NO_DEVICE, NOT_WRITTEN, OK, UNSUPPORTED, USAGE, main, triangle_gltf
+from harness import (BINARY, CliTest, INVALID, MISSING, NO_DEVICE, NOT_WRITTEN, OK, TRIANGLE, UNSUPPORTED, USAGE, main,
+                     triangle_gltf)
 
 # The Vulkan loader reads drivers from here, and there are none.
 NO_DRIVERS = {"VK_DRIVER_FILES": "/nonexistent.json", "VK_ICD_FILENAMES": "/nonexistent.json"}
@@ -134,6 +135,15 @@ class WrongFiles(CliTest):
         scene = triangle_gltf(extensionsUsed=["EXT_unheard_of"], extensionsRequired=["EXT_unheard_of"])
         self.write("a.gltf", scene)
         self.expect(UNSUPPORTED, "info", "a.gltf", says="EXT_unheard_of")
+
+    def test_files_outside_the_scenes_folder(self):
+        outside = [{"uri": "../triangle.bin", "byteLength": len(TRIANGLE)}]
+        self.write("triangle.bin", TRIANGLE)
+        (self.folder / "inside").mkdir()
+        self.write("inside/a.gltf", triangle_gltf(buffers=outside))
+        for verb in ("info", "render"):
+            self.expect(INVALID, verb, "inside/a.gltf", says="triangle.bin")
+        self.expect(OK, "info", "--allow-outside-files", "inside/a.gltf")
 
     def test_destinations_are_checked_before_the_scene(self):
         self.expect(NOT_WRITTEN, "render", "none.gltf", "-o", "nowhere/a.png", says="no folder")
