@@ -11,24 +11,24 @@
 
 namespace velarium::image {
 
-struct ByteImage {                  // 8 bits a channel, RGBA, straight alpha, as stored
+struct ByteImage {  // 8 bits a channel, RGBA, straight alpha, as stored
   std::uint32_t width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
 };
 
-struct WordImage {                  // 16 bits a channel, RGBA, straight alpha, native byte order
+struct WordImage {  // 16 bits a channel, RGBA, straight alpha, native byte order
   std::uint32_t width = 0, height = 0;
   std::vector<std::uint16_t> rgba;
 };
 
-struct FloatImage {                 // linear; RGBA, alpha 1 where the file has none
+struct FloatImage {  // linear; RGBA, alpha 1 where the file has none
   std::uint32_t width = 0, height = 0;
   std::vector<float> rgba;
 };
 
-struct Limits {                     // checked against the header, before pixels are allocated
+struct Limits {  // checked against the header, before pixels are allocated
   std::uint64_t pixels = 1ull << 28;
-  std::uint32_t size = 16384;       // width or height
+  std::uint32_t size = 16384;  // width or height
 };
 
 // PNG (any type and depth, reduced to 8 bits), JPEG (grey, YCbCr, CMYK) or WebP, recognised by content.
@@ -36,11 +36,14 @@ struct Limits {                     // checked against the header, before pixels
 [[nodiscard]] ByteImage decode(std::span<const std::byte> data, const std::string& what, const Limits& limits = {});
 
 // The size in pixels that the header claims, without decoding. Throws as decode().
-struct Size { std::uint32_t width, height; };
+struct Size {
+  std::uint32_t width, height;
+};
 [[nodiscard]] Size peek_size(std::span<const std::byte> data, const std::string& what);
 
 // Radiance .hdr (flat, old and new run-length) or OpenEXR, by content. Non-finite values are an error that names the
-// pixel; negative ones, which resampling and lossy compression leave in real files, become 0 with a warning. Throws Error(input_missing), Error(input_invalid), Error(unsupported).
+// pixel; negative ones, which resampling and lossy compression leave in real files, become 0 with a warning. Throws
+// Error(input_missing), Error(input_invalid), Error(unsupported).
 [[nodiscard]] FloatImage load_radiance(const std::filesystem::path& file, const Limits& limits = {});
 
 // Any of the formats above as linear floats: sRGB-encoded formats are decoded, alpha kept straight.
@@ -50,9 +53,9 @@ struct Size { std::uint32_t width, height; };
 // and throw Error(output_not_written) with the system's reason.
 void save_png(const std::filesystem::path& file, const ByteImage& image);
 void save_png(const std::filesystem::path& file, const WordImage& image);
-void save_jpeg(const std::filesystem::path& file, const ByteImage& image, int quality);   // alpha is dropped
-void save_webp(const std::filesystem::path& file, const ByteImage& image, int quality);   // 100: lossless
-void save_exr(const std::filesystem::path& file, const FloatImage& image, bool half);     // premultiplied, as EXR asks
-void save_hdr(const std::filesystem::path& file, const FloatImage& image);                // alpha is dropped
+void save_jpeg(const std::filesystem::path& file, const ByteImage& image, int quality);  // alpha is dropped
+void save_webp(const std::filesystem::path& file, const ByteImage& image, int quality);  // 100: lossless
+void save_exr(const std::filesystem::path& file, const FloatImage& image, bool half);    // premultiplied, as EXR asks
+void save_hdr(const std::filesystem::path& file, const FloatImage& image);               // alpha is dropped
 
 }  // namespace velarium::image
