@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -98,17 +99,51 @@ TEST(Tangents, FacesWeighByTheirCornerAngle) {
   Primitive p;
   p.vertices.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 1, 0}};
   p.vertices.normals.assign(4, {0, 0, 1});
-  // Across the edge 0-2, u runs along +X in the first face and along (1, -1) in the second; v is -y on that edge.
   p.uv[0] = {{0, 0}, {1, 0}, {0, -1}, {-1, -2}};
   p.indices = {0, 1, 2, 0, 2, 3};
   make_tangents(p, 0);
-  // Second face: position = a u + b v with b = (0,-1), and -a - 2 b = (-1,1): a = (1,1) / 1, hence u along (1,1).
+  // Second face: position = a u + b v, where the edges give b = (0, -1) and -a - 2 b = (-1, 1): a = (1, 1).
   const glm::vec2 first(1, 0), second = glm::normalize(glm::vec2(1, 1));
   const glm::vec2 mean = glm::normalize(90.0f * first + 45.0f * second);
   ASSERT_EQ(p.vertex_count(), 4u);
   expect_near(glm::vec3(p.vertices.tangents[p.indices[0]]), glm::vec3(mean, 0));
   expect_near(glm::vec3(p.vertices.tangents[p.indices[1]]), glm::vec3(first, 0));
   expect_near(glm::vec3(p.vertices.tangents[p.indices[5]]), glm::vec3(second, 0));
+}
+
+// Four faces around a point, whose directions of u turn by 90 degrees from one to the next. The mean of all is nothing;
+// the algorithm leaves the opposite face out of each average, and the two at right angles cancel.
+TEST(Tangents, ExactlyOppositeDirectionsDoNotCancel) {
+  const std::array<glm::vec3, 5> rim{{{1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}}};
+  Primitive p;
+  p.vertices.positions = {{0, 0, 0}};
+  p.uv[0] = {{0.5f, 0}};
+  for (std::uint32_t k = 0; k < 5; ++k) {
+    p.vertices.positions.push_back(rim[k]);
+    p.uv[0].push_back({0.25f * static_cast<float>(k), 1});
+    if (k < 4) p.indices.insert(p.indices.end(), {0u, k + 1, k + 2});
+  }
+  p.vertices.normals.assign(6, {0, 0, 1});
+  make_tangents(p, 0);
+  for (std::size_t k = 0; k < 4; ++k) {
+    expect_near(glm::vec3(p.vertices.tangents[p.indices[3 * k]]), glm::normalize(rim[k + 1] - rim[k]));
+  }
+}
+
+// Three faces of 90 degrees around a point; the texture of the middle one has no area. The outer two, whose u runs
+// along x and along y, are averaged across it, and it takes their frame.
+TEST(Tangents, AFaceWithoutTextureAreaJoinsItsNeighbours) {
+  Primitive p;
+  p.vertices.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  p.vertices.normals.assign(5, {0, 0, 1});
+  p.uv[0] = {{0, 0}, {1, 0}, {0, 1}, {0, 2}, {-1, 0}};
+  p.indices = {0, 1, 2, 0, 2, 3, 0, 3, 4};
+  make_tangents(p, 0);
+  for (const std::size_t corner : {0u, 3u, 6u}) {
+    const glm::vec4 t = p.vertices.tangents[p.indices[corner]];
+    expect_near(glm::vec3(t), glm::normalize(glm::vec3(1, 1, 0)));
+    EXPECT_EQ(t.w, -1.0f);
+  }
 }
 
 TEST(Tangents, LieInThePlaneOfASlantedNormal) {
