@@ -50,7 +50,9 @@ Scene furnace_scene() {
     }
   }
   builder.place_camera(glm::radians(19.5f), 16.0f / 9.0f, {0.0f, 0.0f, 12.0f}, glm::vec3(0.0f));
-  return std::move(builder).take();
+  Scene scene = std::move(builder).take();
+  scene.environment = "white";
+  return scene;
 }
 
 }  // namespace velarium::scene

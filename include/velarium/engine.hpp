@@ -48,7 +48,7 @@ struct RenderRequest {
   Background background = Background::environment;
   std::array<float, 3> background_color{0, 0, 0};  // display values 0..1, sRGB-encoded
   float time_s = 0.0f;
-  std::string animation;            // name, index or "all"; empty: the first
+  std::string animation;            // name, index, "all" or "none"; empty: the first
   Settings settings;
   bool want_linear = true, want_display = true;    // which halves of Picture to fill
   std::vector<std::string> dumps;   // "pass.image" names to bring back from the last frame

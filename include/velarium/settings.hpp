@@ -4,6 +4,7 @@ namespace velarium {
 
 enum class Sync { normal, paranoid };
 enum class ShadingModel { gltf, ryse };
+enum class DiffuseEnvironment { map, sh };
 enum class ExposureMode { manual, ev100, automatic };
 enum class Tonemap { neutral, agx, aces, linear };
 enum class ExrType { half, full };

@@ -13,10 +13,12 @@ namespace velarium {
 namespace {
 
 constexpr const char* kStudio = "studio";
-constexpr const char* kWhite = "white";   // radiance 1 from everywhere: a furnace
+constexpr const char* kWhite = "white";  // radiance 1 from everywhere: a furnace
 constexpr const char* kNone = "none";
 
-glm::vec3 to_vec3(const std::array<float, 3>& a) { return {a[0], a[1], a[2]}; }
+glm::vec3 to_vec3(const std::array<float, 3>& a) {
+  return {a[0], a[1], a[2]};
+}
 
 image::FloatImage white_environment() {
   return {.width = 2, .height = 1, .rgba = std::vector<float>(8, 1.0f)};
@@ -60,7 +62,7 @@ struct Engine::State {
   gpu::Toolbox tools;
   frame::Renderer renderer;
   // The last scene and environment stay on the device: programs move cameras more often than they change scenes.
-  std::optional<Scene> scene;                       // keeps the tables alive that gpu_scene refers to
+  std::optional<Scene> scene;  // keeps the tables alive that gpu_scene refers to
   std::unique_ptr<upload::GpuScene> gpu_scene;
   std::string environment_name;
   std::optional<bake::Environment> environment;

@@ -10,14 +10,22 @@ namespace {
 
 constexpr std::string_view kBuiltinPrefix = "builtin:";
 
-std::array<float, 3> to_array(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+std::array<float, 3> to_array(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
 
 void count_primitive(const scene::Primitive& primitive, SceneInfo& info) {
   const std::size_t indices = primitive.indices.size();
   switch (primitive.topology) {
-    case scene::Topology::points: info.points += indices; break;
-    case scene::Topology::lines: info.lines += indices / 2; break;
-    case scene::Topology::triangles: info.triangles += indices / 3; break;
+    case scene::Topology::points:
+      info.points += indices;
+      break;
+    case scene::Topology::lines:
+      info.lines += indices / 2;
+      break;
+    case scene::Topology::triangles:
+      info.triangles += indices / 3;
+      break;
   }
   info.vertices += primitive.vertex_count();
 }
@@ -38,9 +46,12 @@ void count_tables(const scene::Scene& scene, SceneInfo& info) {
 
 const char* kind_name(scene::LightKind kind) {
   switch (kind) {
-    case scene::LightKind::directional: return "directional";
-    case scene::LightKind::point: return "point";
-    case scene::LightKind::spot: return "spot";
+    case scene::LightKind::directional:
+      return "directional";
+    case scene::LightKind::point:
+      return "point";
+    case scene::LightKind::spot:
+      return "spot";
   }
   return "";
 }
@@ -69,7 +80,9 @@ Scene Scene::load(const std::filesystem::path& file, const LoadOptions& options)
       std::make_shared<scene::Scene>(scene::read_gltf(file, {.allow_outside_files = options.allow_outside_files})));
 }
 
-std::vector<std::string> Scene::builtin_names() { return scene::builtin_names(); }
+std::vector<std::string> Scene::builtin_names() {
+  return scene::builtin_names();
+}
 
 SceneInfo Scene::info() const {
   SceneInfo info{.source = tables_->source, .generator = tables_->generator};

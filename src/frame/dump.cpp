@@ -16,10 +16,14 @@ std::size_t texel_bytes(VkFormat format) {
   switch (format) {
     case VK_FORMAT_R8G8B8A8_UNORM:
     case VK_FORMAT_R8G8B8A8_SRGB:
-    case VK_FORMAT_D32_SFLOAT_S8_UINT: return 4;   // depth alone is copied
-    case VK_FORMAT_R16G16B16A16_SFLOAT: return 8;
-    case VK_FORMAT_R32G32B32A32_SFLOAT: return 16;
-    default: return 0;
+    case VK_FORMAT_D32_SFLOAT_S8_UINT:
+      return 4;  // depth alone is copied
+    case VK_FORMAT_R16G16B16A16_SFLOAT:
+      return 8;
+    case VK_FORMAT_R32G32B32A32_SFLOAT:
+      return 16;
+    default:
+      return 0;
   }
 }
 
@@ -42,22 +46,20 @@ void widen(VkFormat format, const std::byte* texel, float* out) {
 
 void record_copy(VkCommandBuffer commands, const gpu::Image& image, VkBuffer to) {
   const auto aspect = gpu::has_depth(image.desc().format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
-  const VkImageMemoryBarrier2 barrier{
-      .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-      .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-      .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
-      .dstStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-      .dstAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT,
-      .oldLayout = image.layout,
-      .newLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-      .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-      .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-      .image = image.vk(),
-      .subresourceRange = {gpu::aspects(image.desc().format), 0, VK_REMAINING_MIP_LEVELS, 0,
-                           VK_REMAINING_ARRAY_LAYERS}};
-  const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                                    .imageMemoryBarrierCount = 1,
-                                    .pImageMemoryBarriers = &barrier};
+  const VkImageMemoryBarrier2 barrier{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+                                      .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                      .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
+                                      .dstStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                                      .dstAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT,
+                                      .oldLayout = image.layout,
+                                      .newLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                                      .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                      .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                      .image = image.vk(),
+                                      .subresourceRange = {gpu::aspects(image.desc().format), 0,
+                                                           VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS}};
+  const VkDependencyInfo dependency{
+      .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .imageMemoryBarrierCount = 1, .pImageMemoryBarriers = &barrier};
   vkCmdPipelineBarrier2(commands, &dependency);
   const VkBufferImageCopy copy{.imageSubresource = {static_cast<VkImageAspectFlags>(aspect), 0, 0, 1},
                                .imageExtent = {image.desc().width, image.desc().height, 1}};
@@ -79,9 +81,9 @@ DumpedImage dump_image(gpu::Device& device, graph::Executor& executor, const std
   if (image == nullptr) {
     const auto names = executor.image_names();
     const auto near = nearest_name(name, names);
-    throw Error(ErrorCode::usage, fmt::format("no image '{}' to dump{}; there are {}", name,
-                                              near.empty() ? "" : ", did you mean '" + near + "'?",
-                                              fmt::join(names, ", ")));
+    throw Error(ErrorCode::usage,
+                fmt::format("no image '{}' to dump{}; there are {}", name,
+                            near.empty() ? "" : ", did you mean '" + near + "'?", fmt::join(names, ", ")));
   }
   const auto& desc = image->desc();
   const std::size_t pixels = std::size_t{desc.width} * desc.height, bytes = texel_bytes(desc.format);

@@ -13,9 +13,9 @@ graph::GraphImage add_frame(graph::Graph& g, const FrameInputs& in) {
   const auto surface = gbuffer::add(g, {in.scene, in.normal_lengths, in.width, in.height});
   const auto lit = lighting::add(
       g, {in.scene, in.environment, surface.rt0, surface.rt1, surface.rt2, surface.depth, surface.hdr}, s.lighting);
-  const auto hdr = forward::add(g, {in.scene, in.environment.specular, in.environment.brdf_table,
-                                    lighting::shading_constants(s.lighting, in.environment.present), surface.depth,
-                                    lit.hdr, lit.forward_lists});
+  const auto hdr = forward::add(
+      g, {in.scene, in.environment.specular, in.environment.irradiance, in.environment.brdf_table,
+          lighting::shading_constants(s.lighting, in.environment), surface.depth, lit.hdr, lit.forward_lists});
   return accumulate::add(g, {hdr, g.import("sum", in.sum, !in.first), in.first});
 }
 

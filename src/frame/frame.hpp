@@ -16,8 +16,8 @@ struct FrameInputs {
   const upload::SceneTables& scene;
   const lighting::Environment& environment;
   const gpu::Image& normal_lengths;
-  gpu::Image& sum;                  // rgba32f: of the frames of this picture so far
-  bool first = true;                // does this frame start the sum?
+  gpu::Image& sum;    // rgba32f: of the frames of this picture so far
+  bool first = true;  // does this frame start the sum?
   std::uint32_t width = 0, height = 0;
   const Settings& settings;
 };
@@ -30,12 +30,12 @@ struct DisplayInputs {
   gpu::Image& sum;
   std::uint32_t frames = 1;
   const Settings& settings;
-  std::optional<std::array<float, 3>> background;   // a colour behind the picture, display values
+  std::optional<std::array<float, 3>> background;  // a colour behind the picture, display values
   bool want_linear = false, want_display = true;
 };
 
 struct DisplayOutputs {
-  graph::GraphBuffer linear, display;   // read back; version 0 where not wanted
+  graph::GraphBuffer linear, display;  // read back; version 0 where not wanted
 };
 
 DisplayOutputs add_display(graph::Graph& graph, const DisplayInputs& in);

@@ -35,7 +35,8 @@ gpu::Image make_brdf_table(gpu::Device& device, ShadingModel model) {
   const auto values = bake::cached_environment_brdf(
       kBrdfTableSize, model == ShadingModel::ryse ? shading::kModelRyse : shading::kModelGltf);
   std::vector<std::uint32_t> packed;
-  for (const auto& value : values) packed.push_back(glm::packHalf1x16(value.x) | std::uint32_t{glm::packHalf1x16(value.y)} << 16u);
+  for (const auto& value : values)
+    packed.push_back(glm::packHalf1x16(value.x) | std::uint32_t{glm::packHalf1x16(value.y)} << 16u);
   return make_image(device, {.format = VK_FORMAT_R16G16_SFLOAT, .width = kBrdfTableSize, .height = kBrdfTableSize},
                     std::as_bytes(std::span(packed)));
 }
@@ -82,9 +83,9 @@ RenderResult Renderer::render(const Job& job) {
   check_size(request);
   const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
   const auto view = upload::view_matrices(job.camera, aspect);
-  auto scene = upload::make_scene_tables(tools_.device, job.scene, job.moment, view, request.settings.lighting.punctual);
-  scene.texture_lod_bias =
-      -std::min(0.5f * std::log2(static_cast<float>(request.settings.frame.spp)), kMaxSharpening);
+  auto scene =
+      upload::make_scene_tables(tools_.device, job.scene, job.moment, view, request.settings.lighting.punctual);
+  scene.texture_lod_bias = -std::min(0.5f * std::log2(static_cast<float>(request.settings.frame.spp)), kMaxSharpening);
 
   const gpu::ImageDesc sum_desc{VK_FORMAT_R32G32B32A32_SFLOAT, request.width, request.height};
   if (!sum_ || sum_.desc() != sum_desc)
@@ -93,7 +94,10 @@ RenderResult Renderer::render(const Job& job) {
   const bool lit = job.environment != nullptr;
   const lighting::Environment environment{lit ? job.environment->background : black_,
                                           lit ? job.environment->specular : black_cube_,
-                                          brdf_table(request.settings.lighting.model), lit};
+                                          lit ? job.environment->irradiance : black_cube_,
+                                          brdf_table(request.settings.lighting.model),
+                                          request.settings.environment.diffuse,
+                                          lit};
   const FrameInputs inputs{.scene = scene,
                            .environment = environment,
                            .normal_lengths = normal_lengths_,

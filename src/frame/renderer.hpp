@@ -19,7 +19,7 @@ struct Job {
   const upload::GpuScene& scene;
   const scene::Moment& moment;
   scene::CameraInstance camera;
-  const bake::Environment* environment = nullptr;   // null: none
+  const bake::Environment* environment = nullptr;  // null: none
   const RenderRequest& request;
 };
 
@@ -42,7 +42,7 @@ class Renderer {
   gpu::Toolbox& tools_;
   graph::Executor executor_;
   gpu::Image normal_lengths_, black_, black_cube_;
-  gpu::Image brdf_tables_[2];       // by ShadingModel, made when first asked for
+  gpu::Image brdf_tables_[2];  // by ShadingModel, made when first asked for
   gpu::Image sum_;
 };
 

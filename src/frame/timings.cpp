@@ -15,7 +15,9 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-void Timings::add_frame(const std::vector<graph::PassTiming>& passes) { frames_.push_back(passes); }
+void Timings::add_frame(const std::vector<graph::PassTiming>& passes) {
+  frames_.push_back(passes);
+}
 
 void Timings::write(RenderReport& report) const {
   report.frames = static_cast<std::uint32_t>(frames_.size());

@@ -38,7 +38,8 @@ DeviceInfo choose(const std::vector<VkPhysicalDevice>& devices, const std::strin
   for (std::uint32_t i = 0; i < devices.size(); ++i) {
     DeviceInfo info = describe_device(devices[i], i);
     const bool named = matches(info, choice);
-    if (named && info.usable && (!best.usable || preference(info) > preference(best))) best = info;
+    if (named && info.usable && (!best.usable || preference(info) > preference(best)))
+      best = info;
     else if (!info.usable || !named)
       refused += fmt::format("; {} ({}): {}", i, info.name, info.usable ? "not what was asked for" : info.why_not);
   }
@@ -123,7 +124,8 @@ void Device::read_capabilities() {
   vkGetPhysicalDeviceFeatures(physical_, &features);
   const auto& limits = properties.limits;
   caps_.max_anisotropy = features.samplerAnisotropy ? limits.maxSamplerAnisotropy : 1.0f;
-  caps_.max_image_size = std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight});
+  caps_.max_image_size =
+      std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight});
   caps_.timestamp_ns = limits.timestampComputeAndGraphics ? static_cast<double>(limits.timestampPeriod) : 0.0;
   caps_.host_is_device = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
 }
@@ -146,9 +148,8 @@ void Device::submit_and_wait(VkCommandBuffer commands) {
   check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
   const VkCommandBufferSubmitInfo buffer{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
                                          .commandBuffer = commands};
-  const VkSubmitInfo2 submit{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2,
-                             .commandBufferInfoCount = 1,
-                             .pCommandBufferInfos = &buffer};
+  const VkSubmitInfo2 submit{
+      .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2, .commandBufferInfoCount = 1, .pCommandBufferInfos = &buffer};
   check(vkQueueSubmit2(queue_, 1, &submit, fence_), "submitting work to the device");
   check(vkWaitForFences(device_, 1, &fence_, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
         "waiting for the device");
@@ -196,9 +197,7 @@ void Device::save_pipeline_cache() noexcept {
     if (vkGetPipelineCacheData(device_, pipeline_cache_, &size, data.data()) != VK_SUCCESS) return;
     std::filesystem::create_directories(folder);
     write_file(folder / pipeline_cache_name(), data);
-  } catch (const std::exception& e) {
-    log_debug("pipeline cache not written: {}", e.what());
-  }
+  } catch (const std::exception& e) { log_debug("pipeline cache not written: {}", e.what()); }
 }
 
 }  // namespace velarium::gpu

@@ -16,7 +16,9 @@ bool has_depth(VkFormat format) {
   return format == VK_FORMAT_D32_SFLOAT || format == VK_FORMAT_D32_SFLOAT_S8_UINT || format == VK_FORMAT_D16_UNORM;
 }
 
-bool has_stencil(VkFormat format) { return format == VK_FORMAT_D32_SFLOAT_S8_UINT; }
+bool has_stencil(VkFormat format) {
+  return format == VK_FORMAT_D32_SFLOAT_S8_UINT;
+}
 
 VkImageAspectFlags aspects(VkFormat format) {
   VkImageAspectFlags flags = has_depth(format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
@@ -58,8 +60,7 @@ Image::Image(Device& device, const ImageDesc& desc, VkImageUsageFlags usage)
 
 Image::~Image() {
   if (image_ == VK_NULL_HANDLE) return;
-  for (const VkImageView view : {view_, depth_view_, stencil_view_})
-    vkDestroyImageView(device_->vk(), view, nullptr);
+  for (const VkImageView view : {view_, depth_view_, stencil_view_}) vkDestroyImageView(device_->vk(), view, nullptr);
   for (const VkImageView view : mip_views_) vkDestroyImageView(device_->vk(), view, nullptr);
   vkDestroyImage(device_->vk(), image_, nullptr);
   device_->memory().free(allocation_);

@@ -9,7 +9,7 @@ namespace velarium::gpu {
 struct ImageDesc {
   VkFormat format = VK_FORMAT_UNDEFINED;
   std::uint32_t width = 1, height = 1, layers = 1, mips = 1;
-  bool cube = false;                  // layers is then a multiple of 6
+  bool cube = false;  // layers is then a multiple of 6
   bool operator==(const ImageDesc&) const = default;
 };
 

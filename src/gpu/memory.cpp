@@ -113,8 +113,7 @@ std::uint32_t MemoryAllocator::add_block(std::uint32_t type, VkDeviceSize size, 
 }
 
 std::uint32_t MemoryAllocator::memory_type(std::uint32_t allowed, MemoryUse use) const {
-  constexpr VkMemoryPropertyFlags kHost =
-      VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+  constexpr VkMemoryPropertyFlags kHost = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
   const VkMemoryPropertyFlags required = use == MemoryUse::device ? 0 : kHost;
   const VkMemoryPropertyFlags wished = use == MemoryUse::device     ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT
                                        : use == MemoryUse::readback ? VK_MEMORY_PROPERTY_HOST_CACHED_BIT

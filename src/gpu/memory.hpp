@@ -18,8 +18,8 @@ enum class MemoryUse {
 struct Allocation {
   VkDeviceMemory memory = VK_NULL_HANDLE;
   VkDeviceSize offset = 0, size = 0;
-  std::byte* mapped = nullptr;      // this allocation's first byte; null for device memory that cannot be mapped
-  std::uint32_t block = 0;          // where it came from
+  std::byte* mapped = nullptr;  // this allocation's first byte; null for device memory that cannot be mapped
+  std::uint32_t block = 0;      // where it came from
 };
 
 // Sub-allocates device memory from blocks, first fit, merging what is freed. Linear (buffers) and tiled (images)
@@ -44,7 +44,7 @@ class MemoryAllocator {
     std::uint32_t type = 0;
     bool linear = false;
     std::byte* mapped = nullptr;
-    std::map<VkDeviceSize, VkDeviceSize> free_ranges;   // offset -> size
+    std::map<VkDeviceSize, VkDeviceSize> free_ranges;  // offset -> size
   };
   [[nodiscard]] std::uint32_t memory_type(std::uint32_t allowed, MemoryUse use) const;
   std::uint32_t add_block(std::uint32_t type, VkDeviceSize size, bool linear);
@@ -53,7 +53,7 @@ class MemoryAllocator {
 
   VkDevice device_;
   VkPhysicalDeviceMemoryProperties properties_{};
-  std::vector<Block> blocks_;       // an emptied large block keeps its place with a null memory
+  std::vector<Block> blocks_;  // an emptied large block keeps its place with a null memory
   std::uint64_t used_ = 0, peak_ = 0;
 };
 

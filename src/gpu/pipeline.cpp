@@ -14,9 +14,8 @@ namespace {
 class Module {
  public:
   Module(VkDevice device, Spirv code) : device_(device) {
-    const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                        .codeSize = code.size_bytes(),
-                                        .pCode = code.data()};
+    const VkShaderModuleCreateInfo info{
+        .sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, .codeSize = code.size_bytes(), .pCode = code.data()};
     check(vkCreateShaderModule(device, &info, nullptr, &module_), "vkCreateShaderModule");
   }
   ~Module() { vkDestroyShaderModule(device_, module_, nullptr); }
@@ -55,8 +54,8 @@ VkPipelineShaderStageCreateInfo stage_info(VkShaderStageFlagBits stage, const Mo
 }
 
 VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
-  constexpr VkColorComponentFlags kAll = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
-                                         VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+  constexpr VkColorComponentFlags kAll =
+      VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
   return {.blendEnable = blend != Blend::none,
           .srcColorBlendFactor = VK_BLEND_FACTOR_ONE,
           .dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
@@ -89,8 +88,7 @@ struct VertexInput {
   VkPipelineVertexInputStateCreateInfo info{};
 
   explicit VertexInput(const RasterState& state) {
-    for (const auto& b : state.vertex_bindings)
-      bindings.push_back({b.binding, b.stride, VK_VERTEX_INPUT_RATE_VERTEX});
+    for (const auto& b : state.vertex_bindings) bindings.push_back({b.binding, b.stride, VK_VERTEX_INPUT_RATE_VERTEX});
     for (const auto& a : state.vertex_attributes) attributes.push_back({a.location, a.binding, a.format, a.offset});
     info = {.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO,
             .vertexBindingDescriptionCount = static_cast<std::uint32_t>(bindings.size()),
@@ -156,10 +154,9 @@ Pipeline Pipeline::compute(Device& device, Spirv shader, const Specialization& c
   result.make_layout(reflections, VK_SHADER_STAGE_COMPUTE_BIT);
   const Module module(device.vk(), shader);
   const SpecializationInfo specialization(constants);
-  const VkComputePipelineCreateInfo info{
-      .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
-      .stage = stage_info(VK_SHADER_STAGE_COMPUTE_BIT, module, specialization.get()),
-      .layout = result.layout_};
+  const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+                                         .stage = stage_info(VK_SHADER_STAGE_COMPUTE_BIT, module, specialization.get()),
+                                         .layout = result.layout_};
   check(vkCreateComputePipelines(device.vk(), device.pipeline_cache(), 1, &info, nullptr, &result.pipeline_),
         "vkCreateComputePipelines");
   return result;

@@ -11,8 +11,8 @@
 
 namespace velarium::gpu {
 
-inline constexpr std::uint32_t kMaxSets = 4;               // frame, pass, material, object
-inline constexpr std::uint32_t kPushConstantBytes = 128;   // all that the poorest driver has
+inline constexpr std::uint32_t kMaxSets = 4;              // frame, pass, material, object
+inline constexpr std::uint32_t kPushConstantBytes = 128;  // all that the poorest driver has
 
 using Spirv = std::span<const std::uint32_t>;
 
@@ -41,8 +41,8 @@ struct RasterState {
   std::vector<VkFormat> color_formats;
   VkFormat depth_format = VK_FORMAT_UNDEFINED;
   bool depth_write = true;
-  bool write_stencil = false;         // the dynamic reference replaces the stencil where a fragment passes
-  Blend blend = Blend::none;          // of every colour target
+  bool write_stencil = false;  // the dynamic reference replaces the stencil where a fragment passes
+  Blend blend = Blend::none;   // of every colour target
   Specialization fragment_constants;
   bool operator==(const RasterState&) const = default;
 };

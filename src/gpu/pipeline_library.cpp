@@ -5,7 +5,8 @@ namespace velarium::gpu {
 const Pipeline& PipelineLibrary::compute(Spirv shader, const Specialization& constants) {
   for (const auto& known : compute_)
     if (known.shader == shader.data() && known.constants == constants) return known.pipeline;
-  return compute_.emplace_back(Compute{shader.data(), constants, Pipeline::compute(device_, shader, constants)}).pipeline;
+  return compute_.emplace_back(Compute{shader.data(), constants, Pipeline::compute(device_, shader, constants)})
+      .pipeline;
 }
 
 const Pipeline& PipelineLibrary::raster(Spirv vertex, Spirv fragment, const RasterState& state) {

@@ -28,7 +28,7 @@ class PipelineLibrary {
     Pipeline pipeline;
   };
   Device& device_;
-  std::deque<Compute> compute_;   // deques: references stay valid
+  std::deque<Compute> compute_;  // deques: references stay valid
   std::deque<Raster> raster_;
 };
 

@@ -9,8 +9,14 @@ namespace {
 
 // Numbers of the SPIR-V specification, section 3 (operations, decorations, storage classes).
 enum Op : std::uint32_t {
-  kOpTypeImage = 25, kOpTypeSampledImage = 27, kOpTypeArray = 28, kOpTypeStruct = 30, kOpTypePointer = 32,
-  kOpConstant = 43, kOpVariable = 59, kOpDecorate = 71,
+  kOpTypeImage = 25,
+  kOpTypeSampledImage = 27,
+  kOpTypeArray = 28,
+  kOpTypeStruct = 30,
+  kOpTypePointer = 32,
+  kOpConstant = 43,
+  kOpVariable = 59,
+  kOpDecorate = 71,
 };
 enum Decoration : std::uint32_t { kBinding = 33, kDescriptorSet = 34 };
 enum StorageClass : std::uint32_t { kUniform = 2, kPushConstant = 9, kStorageBuffer = 12 };
@@ -19,8 +25,8 @@ constexpr std::size_t kHeaderWords = 5;
 
 struct Id {
   std::uint32_t op = 0;
-  std::uint32_t type = 0;             // what a pointer, array or variable is of
-  std::uint32_t value = 0;            // a constant's value, an array's length id, a variable's storage class
+  std::uint32_t type = 0;   // what a pointer, array or variable is of
+  std::uint32_t value = 0;  // a constant's value, an array's length id, a variable's storage class
   std::uint32_t set = 0, binding = 0;
   bool bound = false;
 };
@@ -37,10 +43,14 @@ void decorate(Id& id, std::uint32_t decoration, std::span<const std::uint32_t> w
 
 void read_instruction(Ids& ids, std::uint32_t op, std::span<const std::uint32_t> words) {
   switch (op) {
-    case kOpDecorate: decorate(ids[words[1]], words[2], words); break;
+    case kOpDecorate:
+      decorate(ids[words[1]], words[2], words);
+      break;
     case kOpTypeImage:
     case kOpTypeSampledImage:
-    case kOpTypeStruct: ids[words[1]].op = op; break;
+    case kOpTypeStruct:
+      ids[words[1]].op = op;
+      break;
     case kOpTypeArray:
       ids[words[1]].op = op;
       ids[words[1]].type = words[2];
@@ -59,7 +69,8 @@ void read_instruction(Ids& ids, std::uint32_t op, std::span<const std::uint32_t>
       ids[words[2]].type = words[1];
       ids[words[2]].value = words[3];
       break;
-    default: break;
+    default:
+      break;
   }
 }
 

@@ -11,7 +11,7 @@ namespace velarium::gpu {
 struct ReflectedBinding {
   std::uint32_t set = 0, binding = 0;
   VkDescriptorType type = VK_DESCRIPTOR_TYPE_MAX_ENUM;
-  std::uint32_t count = 1;            // array size
+  std::uint32_t count = 1;  // array size
 };
 
 // What a shader module binds, read from its SPIR-V, so that no C++ repeats it.

@@ -33,8 +33,8 @@ void Timers::stop(VkCommandBuffer commands, std::uint32_t interval) {
 std::vector<double> Timers::read() const {
   if (intervals_ == 0) return {};
   std::vector<std::uint64_t> ticks(std::size_t{2} * intervals_);
-  check(vkGetQueryPoolResults(device_.vk(), pool_, 0, 2 * intervals_, ticks.size() * sizeof(std::uint64_t), ticks.data(),
-                              sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+  check(vkGetQueryPoolResults(device_.vk(), pool_, 0, 2 * intervals_, ticks.size() * sizeof(std::uint64_t),
+                              ticks.data(), sizeof(std::uint64_t), VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
         "vkGetQueryPoolResults");
   std::vector<double> ms(intervals_);
   for (std::uint32_t i = 0; i < intervals_; ++i)

@@ -13,7 +13,7 @@ struct Toolbox {
   Device& device;
   PipelineLibrary pipelines;
   SamplerCache samplers;
-  DescriptorAllocator descriptors;   // of the frame being recorded
+  DescriptorAllocator descriptors;  // of the frame being recorded
 };
 
 }  // namespace velarium::gpu

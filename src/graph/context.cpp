@@ -3,9 +3,8 @@
 namespace velarium::graph {
 namespace {
 
-constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST,
-                                    .min = VK_FILTER_NEAREST,
-                                    .mip = VK_SAMPLER_MIPMAP_MODE_NEAREST};
+constexpr gpu::SamplerDesc kNearest{
+    .mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST, .mip = VK_SAMPLER_MIPMAP_MODE_NEAREST};
 
 VkRenderingAttachmentInfo color_attachment(const gpu::Image& image, bool clear) {
   return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
@@ -30,7 +29,9 @@ void Context::bind(const gpu::Pipeline& pipeline) const {
   vkCmdBindPipeline(commands_, pipeline.bind_point(), pipeline.vk());
 }
 
-SetWriter Context::set(const gpu::Pipeline& pipeline, std::uint32_t set) const { return {*this, pipeline, set}; }
+SetWriter Context::set(const gpu::Pipeline& pipeline, std::uint32_t set) const {
+  return {*this, pipeline, set};
+}
 
 void Context::bind_set(const gpu::Pipeline& pipeline, std::uint32_t set, const gpu::Bindings& bindings) const {
   const VkDescriptorSet descriptors = tools_.descriptors.make(pipeline, set, bindings);
@@ -70,7 +71,9 @@ void Context::begin_rendering(const RenderTargets& targets) const {
   vkCmdSetScissor(commands_, 0, 1, &info.renderArea);
 }
 
-void Context::end_rendering() const { vkCmdEndRendering(commands_); }
+void Context::end_rendering() const {
+  vkCmdEndRendering(commands_);
+}
 
 SetWriter& SetWriter::sampled(std::uint32_t binding, GraphImage handle, const gpu::SamplerDesc& sampler) {
   const auto& image = context_.image(handle);
@@ -107,6 +110,8 @@ SetWriter& SetWriter::buffer(std::uint32_t binding, const gpu::Buffer& buffer) {
   return *this;
 }
 
-void SetWriter::bind() { context_.bind_set(pipeline_, set_, bindings_); }
+void SetWriter::bind() {
+  context_.bind_set(pipeline_, set_, bindings_);
+}
 
 }  // namespace velarium::graph

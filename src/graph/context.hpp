@@ -12,13 +12,13 @@ namespace velarium::graph {
 
 struct ColorTarget {
   GraphImage image;
-  bool clear = false;                 // to zero; else loaded
+  bool clear = false;  // to zero; else loaded
 };
 
 struct RenderTargets {
   std::vector<ColorTarget> colors;
-  GraphImage depth;                   // version 0: none
-  bool clear_depth = false;           // to 0, the far plane of reversed-Z; stencil to 0
+  GraphImage depth;          // version 0: none
+  bool clear_depth = false;  // to 0, the far plane of reversed-Z; stencil to 0
   bool depth_writable = true;
 };
 

@@ -142,6 +142,8 @@ gpu::Image* Executor::find_image(const std::string& name) {
   return found == image_names_.end() ? nullptr : image_list_[static_cast<std::size_t>(found - image_names_.begin())];
 }
 
-std::vector<std::string> Executor::image_names() const { return image_names_; }
+std::vector<std::string> Executor::image_names() const {
+  return image_names_;
+}
 
 }  // namespace velarium::graph

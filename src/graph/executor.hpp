@@ -51,7 +51,7 @@ class Executor {
     gpu::Buffer buffer;
   };
   std::map<std::string, KeptBuffer> buffers_;
-  std::vector<gpu::Image*> image_list_;     // by index in the graph
+  std::vector<gpu::Image*> image_list_;  // by index in the graph
   std::vector<gpu::Buffer*> buffer_list_;
   std::vector<std::string> pass_names_, image_names_;
 };

@@ -15,7 +15,8 @@ void refuse_stale(const Pass& pass, Handle handle, const std::vector<Resource>& 
     throw Error(ErrorCode::internal, fmt::format("pass '{}' uses version {} of '{}', whose newest is {}", pass.name(),
                                                  handle.version, resource.name, resource.version));
   if (needs_contents && handle.version == 0)
-    throw Error(ErrorCode::internal, fmt::format("pass '{}' reads '{}' before any pass wrote it", pass.name(), resource.name));
+    throw Error(ErrorCode::internal,
+                fmt::format("pass '{}' reads '{}' before any pass wrote it", pass.name(), resource.name));
 }
 
 }  // namespace
@@ -36,7 +37,9 @@ GraphBuffer Graph::buffer(std::string_view name, VkDeviceSize bytes, gpu::Memory
   return {static_cast<std::uint32_t>(buffers_.size() - 1), 0};
 }
 
-Pass& Graph::pass(std::string_view name) { return passes_.emplace_back(*this, name); }
+Pass& Graph::pass(std::string_view name) {
+  return passes_.emplace_back(*this, name);
+}
 
 Pass& Pass::read(GraphImage image, Access access) {
   refuse_stale(*this, image, graph_.images_, true);

@@ -18,7 +18,7 @@ class Pass;
 
 // One version of an image: each write makes a new one, and a read of an old one is refused when it is declared.
 struct GraphImage {
-  std::uint32_t index = 0, version = 0;   // version 0: null, or not written yet
+  std::uint32_t index = 0, version = 0;  // version 0: null, or not written yet
   bool operator==(const GraphImage&) const = default;
 };
 
@@ -40,7 +40,8 @@ class Graph {
   [[nodiscard]] GraphImage image(std::string_view name, const gpu::ImageDesc& desc);
   // An image that outlives the frame, with contents from before if `initialized` (in any layout the graph left).
   [[nodiscard]] GraphImage import(std::string_view name, gpu::Image& image, bool initialized);
-  [[nodiscard]] GraphBuffer buffer(std::string_view name, VkDeviceSize bytes, gpu::MemoryUse use = gpu::MemoryUse::device);
+  [[nodiscard]] GraphBuffer buffer(std::string_view name, VkDeviceSize bytes,
+                                   gpu::MemoryUse use = gpu::MemoryUse::device);
 
   // Declares the next pass. Its name is the label, the row in --timings, and the first half of --dump names.
   Pass& pass(std::string_view name);

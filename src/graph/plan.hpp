@@ -7,7 +7,7 @@
 namespace velarium::graph {
 
 struct PlannedBarrier {
-  std::uint32_t index = 0;            // of the image or buffer in the graph
+  std::uint32_t index = 0;  // of the image or buffer in the graph
   VkPipelineStageFlags2 src_stages = 0, dst_stages = 0;
   VkAccessFlags2 src_access = 0, dst_access = 0;
   VkImageLayout old_layout = VK_IMAGE_LAYOUT_UNDEFINED, new_layout = VK_IMAGE_LAYOUT_UNDEFINED;  // images alone

@@ -83,6 +83,7 @@ Pose rest_pose(const Scene& scene, const Node& node) {
 
 std::vector<const Animation*> chosen(const Scene& scene, const std::string& choice) {
   std::vector<const Animation*> out;
+  if (choice == "none") return {};
   if (choice == "all") {
     for (const Animation& animation : scene.animations) out.push_back(&animation);
     return out;
@@ -94,7 +95,7 @@ std::vector<const Animation*> chosen(const Scene& scene, const std::string& choi
   std::vector<std::string> names;
   for (const Animation& animation : scene.animations) names.push_back(animation.name);
   const auto found = find_choice(names, choice);
-  if (!found) throw Error(ErrorCode::usage, scene.source, unknown_choice("animation", names, choice, "all"));
+  if (!found) throw Error(ErrorCode::usage, scene.source, unknown_choice("animation", names, choice, "all, none"));
   out.push_back(&scene.animations[*found]);
   return out;
 }

@@ -21,6 +21,8 @@ namespace {
 // With reversed depth in floats, precision hardly depends on the near plane: it only has to lie before all that is
 // seen. This one serves cameras that name none above zero.
 constexpr float kDefaultNear = 0.01f;
+// Of a look-at camera, as a share of the distance to its target, which may stand far behind a tiny scene.
+constexpr float kLookAtNear = 1e-5f;
 
 // The fitted view: the three-quarter angle of product photography, with a lens of 50 mm on a 36 x 24 mm frame held
 // upright (39.6 degrees along the 36 mm side), long enough not to distort.
@@ -141,7 +143,7 @@ CameraInstance look_at_camera(const glm::vec3& eye, const glm::vec3& target, con
   if (!(glm::length(glm::cross(up, back)) > 1e-4f * glm::length(up))) {
     throw Error(ErrorCode::usage, "look-at camera: up is parallel to the view; choose another up");
   }
-  return placed(eye, view_axes(back, up), vertical_fov_rad, std::min(0.1f, 0.01f * distance), "look-at");
+  return placed(eye, view_axes(back, up), vertical_fov_rad, kLookAtNear * distance, "look-at");
 }
 
 CameraInstance fitted_camera(const Aabb& bounds, float aspect) {

@@ -19,11 +19,11 @@ struct GltfLimits {                           // checked before anything of that
   std::uint64_t scene_pixels = 1ull << 31;    // of all images
   std::uint32_t image_size = 16384;           // width or height
   std::uint32_t nodes = 1u << 20;
-  std::uint32_t depth = 256;                  // of the node tree, and of JSON
+  std::uint32_t depth = 256;  // of the node tree, and of JSON
 };
 
 struct GltfOptions {
-  bool allow_outside_files = false;           // may URIs leave the file's folder?
+  bool allow_outside_files = false;  // may URIs leave the file's folder?
   GltfLimits limits;
 };
 

@@ -90,14 +90,16 @@ Elements elements_of(const Value& at, const BufferView& view, const Value& offse
                      std::uint32_t stride, std::uint32_t count) {
   const std::uint64_t offset = offset_value.integer_or(0, 0, INT64_MAX);
   const std::uint32_t size = unpadded_size(format);
+  const std::uint32_t component = shape_of(format.component).size;
   const bool is_matrix = kShapes[static_cast<std::size_t>(format.type)].columns > 1;
-  const std::uint32_t alignment = is_matrix ? 4 : shape_of(format.component).size;
+  const std::uint32_t alignment = is_matrix ? 4 : component;
   if (offset % alignment != 0) offset_value.fail(fmt::format("is {}, must be a multiple of {}", offset, alignment));
-  if ((view.offset + offset) % alignment != 0) {
-    at.fail(fmt::format("starts at byte {} of its buffer, must be a multiple of {}", view.offset + offset, alignment));
+  if ((view.offset + offset) % component != 0) {
+    at.fail(fmt::format("starts at byte {} of its buffer, must be a multiple of {}", view.offset + offset, component));
   }
-  if (stride < size)
+  if (stride < size) {
     at.fail(fmt::format("its view's byteStride, {}, is less than an element's {} bytes", stride, size));
+  }
   const std::uint64_t needed = static_cast<std::uint64_t>(stride) * (count - 1) + size;
   if (offset > view.length || needed > view.length - offset) {
     at.fail(fmt::format("{} bytes from {} on do not fit its view of {} bytes", needed, offset, view.length));

@@ -63,8 +63,9 @@ std::optional<Target> read_target(const Context& context, const Value& value) {
   const Node& node = context.scene.nodes[target.node];
   if (target.path == AnimatedPath::weights) {
     target.components = node.mesh == kNone ? 0 : morph_target_count(context, static_cast<std::uint32_t>(node.mesh));
-    if (target.components == 0)
+    if (target.components == 0) {
       value.fail(fmt::format("animates weights of node {} without morph targets", target.node));
+    }
   } else if (node.matrix) {
     value.fail(fmt::format("animates node {}, whose transform is a matrix", target.node));
   }

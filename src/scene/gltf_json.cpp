@@ -44,12 +44,16 @@ std::string one_line(std::string text) {
 void append_token(std::string& pointer, std::string_view key) {
   pointer += '/';
   for (const char c : key) {
-    if (c == '~')
-      pointer += "~0";
-    else if (c == '/')
-      pointer += "~1";
-    else
-      pointer += c;
+    switch (c) {  // RFC 6901, 3
+      case '~':
+        pointer += "~0";
+        break;
+      case '/':
+        pointer += "~1";
+        break;
+      default:
+        pointer += c;
+    }
   }
 }
 
@@ -105,9 +109,9 @@ class Builder final : public nlohmann::json_sax<Json> {
     if (const auto start = reason.find("] "); start != std::string::npos) reason.erase(0, start + 2);
     if (const auto start = reason.find("syntax error"); start != std::string::npos) reason.erase(0, start);
     if (const auto quote = reason.find("; last read"); quote != std::string::npos) reason.resize(quote);
-    throw Error(
-        ErrorCode::input_invalid, file_,
-        one_line(fmt::format("not valid JSON at byte {} (line {}, column {}): {}", byte, line, column, reason)));
+    throw Error(ErrorCode::input_invalid, file_,
+                one_line(fmt::format("the JSON is not valid at its byte {} (line {}, column {}): {}", byte, line,
+                                     column, reason)));
   }
 
  private:
@@ -210,8 +214,9 @@ std::vector<std::pair<std::string_view, Value>> Value::members() const {
   std::vector<std::pair<std::string_view, Value>> list;
   if (!json_) return list;
   if (!json_->is_object()) fail(fmt::format("is {}, must be an object", shown()));
-  for (const auto& [key, member] : json_->get_ref<const Json::object_t&>())
+  for (const auto& [key, member] : json_->get_ref<const Json::object_t&>()) {
     list.push_back({key, {*document_, &member}});
+  }
   return list;
 }
 

@@ -75,8 +75,9 @@ std::optional<Primitive> read_primitive(Context& context, Accessors& accessors, 
   const Value indices = value["indices"];
   std::vector<std::uint32_t> listed = indices ? read_indices(accessors, indices, primitive.vertex_count())
                                               : every_vertex(accessors, value, primitive.vertex_count());
-  if (left_over(mode, listed.size()) > 0)
+  if (left_over(mode, listed.size()) > 0) {
     value.warn("its last vertices make no whole line or triangle; they are ignored");
+  }
   primitive.indices = as_list(mode, std::move(listed));
   if (primitive.indices.empty()) return std::nullopt;
   return primitive;

@@ -36,7 +36,7 @@ struct Moment {
   Aabb bounds;                      // world space, of everything drawn; empty where nothing is
 };
 
-// `animation`: a name, an index, "all", or empty for the first. Times outside a sampler clamp to its ends.
+// `animation`: a name, an index, "all", "none" (the pose of the nodes themselves), or empty for the first. Times outside a sampler clamp to its ends.
 // Throws Error(usage) where no animation has that name, listing those there are.
 [[nodiscard]] Moment moment_at(const Scene& scene, float time_s, const std::string& animation);
 

@@ -193,6 +193,7 @@ struct Animation {
 struct Scene {
   std::string source;               // file or "builtin:NAME"
   std::string generator;
+  std::string environment;          // the environment that the scene is made for ("white", "none"); empty: none is named
   std::vector<Image> images;
   std::vector<Texture> textures;
   std::vector<Material> materials;

@@ -11,14 +11,19 @@ constexpr std::uint32_t kSurfaceVertex[] =
 
 VkPrimitiveTopology vulkan_topology(scene::Topology topology) {
   switch (topology) {
-    case scene::Topology::points: return VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
-    case scene::Topology::lines: return VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
-    case scene::Topology::triangles: return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    case scene::Topology::points:
+      return VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
+    case scene::Topology::lines:
+      return VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
+    case scene::Topology::triangles:
+      return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   }
   return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
 }
 
-gpu::Spirv surface_vertex_shader() { return kSurfaceVertex; }
+gpu::Spirv surface_vertex_shader() {
+  return kSurfaceVertex;
+}
 
 void set_facing(VkCommandBuffer commands, const Draw& draw, VkCullModeFlags cull) {
   vkCmdSetCullMode(commands, cull);

@@ -13,10 +13,8 @@ namespace {
 struct Candidate {
   const scene::Instance* instance;
   std::uint32_t material;
-  double distance2;      // of the bounds' centre from the eye, square metres
-  auto state() const {
-    return std::tuple(instance->primitive, instance->deformed, material, instance->mirrored);
-  }
+  double distance2;  // of the bounds' centre from the eye, square metres
+  auto state() const { return std::tuple(instance->primitive, instance->deformed, material, instance->mirrored); }
 };
 
 ObjectData object_data(const scene::Instance& instance, const glm::dvec3& eye) {

@@ -12,20 +12,20 @@ namespace velarium::upload {
 struct Draw {
   std::uint32_t primitive = 0;
   std::int32_t deformed = scene::kNone;
-  std::uint32_t material = 0;          // into gpu_materials()
+  std::uint32_t material = 0;  // into gpu_materials()
   std::uint32_t first_object = 0, object_count = 1;
   bool mirrored = false;
 };
 
 // What a camera sees of a moment, ready to be drawn.
 struct DrawList {
-  std::vector<ObjectData> objects;     // by gl_InstanceIndex
-  std::vector<Draw> opaque;            // OPAQUE and MASK: by state, then near to far
-  std::vector<Draw> blended;           // BLEND: far to near
+  std::vector<ObjectData> objects;  // by gl_InstanceIndex
+  std::vector<Draw> opaque;         // OPAQUE and MASK: by state, then near to far
+  std::vector<Draw> blended;        // BLEND: far to near
 };
 
 // Planes of a view volume, world space, xyz inward normal; a point is inside where dot(n, p) + w >= 0 for all.
-using Frustum = std::array<glm::dvec4, 5>;   // left, right, lower, upper, near
+using Frustum = std::array<glm::dvec4, 5>;  // left, right, lower, upper, near
 
 // `clip_from_world` in the scene's own world space.
 [[nodiscard]] Frustum frustum_of(const glm::dmat4& clip_from_world);

@@ -10,11 +10,13 @@
 layout(set = 1, binding = 0) uniform samplerCube environment_map;      // pre-convolved levels
 layout(set = 1, binding = 1) uniform sampler2D environment_brdf_table; // E0, E1 by (n.v, smoothness)
 layout(set = 1, binding = 2, std430) readonly buffer LightBuffer { GpuLight lights[]; };
+layout(set = 1, binding = 4) uniform samplerCube irradiance_map;       // irradiance / pi
 
 layout(constant_id = 0) const uint kModel = 0u;            // kModelGltf, kModelRyse
 layout(constant_id = 1) const uint kMultiScatter = 1u;
 layout(constant_id = 2) const uint kOcclusion = 1u;
 layout(constant_id = 3) const uint kEnvironment = 1u;      // 0: there is none
+layout(constant_id = 4) const uint kDiffuseSh = 0u;        // 1: irradiance from frame.sh, 0: from irradiance_map
 
 // What does not depend on the light.
 struct ShadingPoint {
@@ -49,14 +51,18 @@ float specular_occlusion(float n_dot_v, float occlusion, float alpha) {
   return clamp(pow(n_dot_v + occlusion, exp2(-16.0 * alpha - 1.0)) - 1.0 + occlusion, 0.0, 1.0);
 }
 
+// Irradiance / pi. normal: in the environment's own axes.
+vec3 environment_irradiance(vec3 normal, FrameUniforms frame) {
+  if (kDiffuseSh == 0u) return textureLod(irradiance_map, normal, 0.0).rgb;
+  vec3 coefficients[9];
+  for (uint i = 0u; i < 9u; ++i) coefficients[i] = frame.sh[i].rgb;
+  return sh_irradiance(coefficients, normal);
+}
+
 vec3 environment_light(ShadingPoint p, FrameUniforms frame) {
   if (kEnvironment == 0u) return vec3(0.0);
   Surface s = p.surface;
-  vec3 normal = to_environment(s.normal_ws, frame);
-  vec3 coefficients[9];
-  for (uint i = 0u; i < 9u; ++i) coefficients[i] = frame.sh[i].rgb;
-  vec3 irradiance = sh_irradiance(coefficients, normal);
-
+  vec3 irradiance = environment_irradiance(to_environment(s.normal_ws, frame), frame);
   vec3 mirrored = to_environment(reflect(-p.wo, s.normal_ws), frame);
   vec3 radiance = textureLod(environment_map, mirrored, level_of_smoothness(s.smoothness)).rgb;
   vec3 specular = environment_specular(s.f0, f90_from_f0(s.f0), p.env_brdf) * p.specular_scale;

@@ -44,19 +44,19 @@ class GpuScene {
   gpu::Buffer materials_;
   Streams fixed_, deformed_;
   gpu::Buffer indices_;
-  std::vector<Range> ranges_;                    // by primitive
-  std::vector<std::int32_t> deformed_first_;     // by index into Moment::deformed
+  std::vector<Range> ranges_;                 // by primitive
+  std::vector<std::int32_t> deformed_first_;  // by index into Moment::deformed
 };
 
 // What one picture draws: the view of a moment from one eye, on the device.
 struct SceneTables {
   const GpuScene* gpu = nullptr;
   DrawList draws;
-  gpu::Buffer objects;        // ObjectData
-  gpu::Buffer lights;         // GpuLight
-  gpu::Buffer light_bounds;   // view space spheres
+  gpu::Buffer objects;       // ObjectData
+  gpu::Buffer lights;        // GpuLight
+  gpu::Buffer light_bounds;  // view space spheres
   std::uint32_t light_count = 0;
-  gpu::Buffer frame;          // FrameUniforms, mapped: rewritten before each frame
+  gpu::Buffer frame;  // FrameUniforms, mapped: rewritten before each frame
   float texture_lod_bias = 0.0f;
   float anisotropy = 1.0f;
 };

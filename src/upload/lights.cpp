@@ -7,9 +7,12 @@ namespace {
 
 float gpu_kind(scene::LightKind kind) {
   switch (kind) {
-    case scene::LightKind::directional: return shading::kLightDirectional;
-    case scene::LightKind::point: return shading::kLightPoint;
-    case scene::LightKind::spot: return shading::kLightSpot;
+    case scene::LightKind::directional:
+      return shading::kLightDirectional;
+    case scene::LightKind::point:
+      return shading::kLightPoint;
+    case scene::LightKind::spot:
+      return shading::kLightSpot;
   }
   return shading::kLightPoint;
 }

@@ -27,7 +27,9 @@ glm::dmat4 clip_from_world(const ViewMatrices& view) {
 }
 
 // Solves the projection for depth and for x, y: the forms that shading/depth.glsl takes.
-glm::vec4 depth_params(const glm::mat4& p) { return {p[3][2], -p[3][3], p[2][2], -p[2][3]}; }
+glm::vec4 depth_params(const glm::mat4& p) {
+  return {p[3][2], -p[3][3], p[2][2], -p[2][3]};
+}
 
 glm::vec4 ndc_to_view(const glm::mat4& p, bool perspective) {
   const glm::vec2 scale(1.0f / p[0][0], 1.0f / p[1][1]);

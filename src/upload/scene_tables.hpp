@@ -6,9 +6,9 @@ namespace velarium::upload {
 
 // A camera resolved for a picture size.
 struct ViewMatrices {
-  glm::dvec3 eye{0.0};               // world space, metres
-  glm::mat3 view_from_world{1.0f};   // rotation
-  glm::mat4 clip_from_view{1.0f};    // without jitter; reversed-Z
+  glm::dvec3 eye{0.0};              // world space, metres
+  glm::mat3 view_from_world{1.0f};  // rotation
+  glm::mat4 clip_from_view{1.0f};   // without jitter; reversed-Z
 };
 
 [[nodiscard]] ViewMatrices view_matrices(const scene::CameraInstance& camera, float aspect);

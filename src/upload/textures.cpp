@@ -13,14 +13,19 @@ constexpr std::array<std::uint8_t, 4> kWhite{255, 255, 255, 255};
 
 VkSamplerAddressMode address_mode(scene::Wrap wrap) {
   switch (wrap) {
-    case scene::Wrap::repeat: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
-    case scene::Wrap::mirrored_repeat: return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
-    case scene::Wrap::clamp_to_edge: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    case scene::Wrap::repeat:
+      return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    case scene::Wrap::mirrored_repeat:
+      return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    case scene::Wrap::clamp_to_edge:
+      return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
   }
   return VK_SAMPLER_ADDRESS_MODE_REPEAT;
 }
 
-VkFilter filter(scene::Filter f) { return f == scene::Filter::nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR; }
+VkFilter filter(scene::Filter f) {
+  return f == scene::Filter::nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
+}
 
 ImageSource image_source(const scene::Image& image, bool srgb) {
   return {{.format = srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,

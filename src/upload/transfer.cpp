@@ -34,9 +34,8 @@ void barrier(VkCommandBuffer commands, const gpu::Image& image, std::uint32_t mi
                                    .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                                    .image = image.vk(),
                                    .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, mip, mips, 0, image.desc().layers}};
-  const VkDependencyInfo dependency{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
-                                    .imageMemoryBarrierCount = 1,
-                                    .pImageMemoryBarriers = &info};
+  const VkDependencyInfo dependency{
+      .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .imageMemoryBarrierCount = 1, .pImageMemoryBarriers = &info};
   vkCmdPipelineBarrier2(commands, &dependency);
 }
 

@@ -29,7 +29,9 @@ static_assert(sizeof(PackedAttributes) == 40);
 struct UvChoice {
   std::array<std::uint32_t, 2> sets{0, 1};
   // 0 or 1: where set `uv_set` went. A set that found no place reads the first.
-  [[nodiscard]] std::uint32_t place_of(std::uint32_t uv_set) const { return uv_set == sets[1] && uv_set != sets[0] ? 1 : 0; }
+  [[nodiscard]] std::uint32_t place_of(std::uint32_t uv_set) const {
+    return uv_set == sets[1] && uv_set != sets[0] ? 1 : 0;
+  }
 };
 
 // `frames`: the primitive's own vertices, or a deformed version of them. `out` has room for each vertex.

@@ -30,9 +30,11 @@ void bind_frame(graph::Context& c, const gpu::Pipeline& pipeline, const Inputs& 
   c.bind(pipeline);
   c.set(pipeline, 0).buffer(0, in.scene.frame).buffer(1, in.scene.objects).bind();
   auto set = c.set(pipeline, 1);
-  set.sampled(0, in.environment).sampled(1, in.brdf_table).buffer(2, in.scene.lights);
-  if (in.forward_lists.version != 0) set.buffer(3, in.forward_lists);
-  else set.buffer(3, in.scene.lights);   // bound, never read
+  set.sampled(0, in.environment).sampled(1, in.brdf_table).buffer(2, in.scene.lights).sampled(4, in.irradiance);
+  if (in.forward_lists.version != 0)
+    set.buffer(3, in.forward_lists);
+  else
+    set.buffer(3, in.scene.lights);  // bound, never read
   set.bind();
 }
 

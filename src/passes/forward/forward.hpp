@@ -7,11 +7,12 @@ namespace velarium::forward {
 
 struct Inputs {
   const upload::SceneTables& scene;
-  const gpu::Image& environment;             // cube of pre-convolved levels
+  const gpu::Image& environment;  // cube of pre-convolved levels
+  const gpu::Image& irradiance;   // cube of irradiance / pi
   const gpu::Image& brdf_table;
-  gpu::Specialization shading_constants;     // constants 0..3 of upload/frame_lighting.glsl
+  gpu::Specialization shading_constants;  // constants 0..4 of upload/frame_lighting.glsl
   graph::GraphImage depth, hdr;
-  graph::GraphBuffer forward_lists;          // version 0: the scene has no light
+  graph::GraphBuffer forward_lists;  // version 0: the scene has no light
 };
 
 // Draws the BLEND surfaces over the picture, far to near. Adds no pass where there are none.

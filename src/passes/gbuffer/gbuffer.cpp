@@ -43,9 +43,9 @@ void draw_all(graph::Context& c, const Inputs& in) {
   for (const auto& draw : in.scene.draws.opaque) {
     const auto& primitive = scene.primitives[draw.primitive];
     const auto& material = upload::material_or_default(scene, primitive.material);
-    const auto& pipeline = c.tools().pipelines.raster(
-        upload::surface_vertex_shader(), kFragment,
-        raster_state(primitive.topology, material.alpha_mode == scene::AlphaMode::mask));
+    const auto& pipeline =
+        c.tools().pipelines.raster(upload::surface_vertex_shader(), kFragment,
+                                   raster_state(primitive.topology, material.alpha_mode == scene::AlphaMode::mask));
     if (&pipeline != bound_pipeline) {
       c.bind(pipeline);
       c.set(pipeline, 0).buffer(0, in.scene.frame).buffer(1, in.scene.objects).bind();

@@ -22,12 +22,12 @@ VkDeviceSize list_bytes(const gpu::ImageDesc& size, std::uint32_t light_count) {
 
 }  // namespace
 
-gpu::Specialization shading_constants(const Settings& settings, bool environment) {
+gpu::Specialization shading_constants(const Settings& settings, const Environment& environment) {
   const bool ryse = settings.model == ShadingModel::ryse;
   // Compensation would undo the darkening that Ryse's visibility term is meant to have.
   const bool multi_scatter = settings.multi_scatter && !ryse;
   return {ryse ? shading::kModelRyse : shading::kModelGltf, multi_scatter ? 1u : 0u, settings.occlusion ? 1u : 0u,
-          environment ? 1u : 0u};
+          environment.present ? 1u : 0u, environment.diffuse == DiffuseEnvironment::sh ? 1u : 0u};
 }
 
 Outputs add(graph::Graph& graph, const Inputs& in, const Settings& settings) {
@@ -40,7 +40,7 @@ Outputs add(graph::Graph& graph, const Inputs& in, const Settings& settings) {
                                       Access::compute_storage);
   if (lists) out.forward_lists = list_buffer;
 
-  auto constants = shading_constants(settings, in.environment.present);
+  auto constants = shading_constants(settings, in.environment);
   constants.insert(constants.end(), {settings.tiled ? 1u : 0u, lists ? 1u : 0u, in.scene.light_count > 0 ? 1u : 0u});
   pass.run([in, out, list_buffer, size, constants](graph::Context& c) {
     const auto& pipeline = c.tools().pipelines.compute(kShader, constants);
@@ -61,6 +61,7 @@ Outputs add(graph::Graph& graph, const Inputs& in, const Settings& settings) {
         .sampled(0, in.environment.specular)
         .sampled(1, in.environment.brdf_table)
         .buffer(2, in.scene.lights)
+        .sampled(4, in.environment.irradiance)
         .bind();
     c.dispatch(size.width, size.height, upload::kTileSize, upload::kTileSize);
   });

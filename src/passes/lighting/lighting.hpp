@@ -11,9 +11,11 @@ using Settings = velarium::Settings::lighting_settings;
 
 // Distant light, ready to be sampled.
 struct Environment {
-  const gpu::Image& background;        // equirectangular; a black texel where there is none
-  const gpu::Image& specular;          // cube of pre-convolved levels; black where there is none
-  const gpu::Image& brdf_table;        // E0, E1 by (n.v, smoothness), of the model in use
+  const gpu::Image& background;  // equirectangular; a black texel where there is none
+  const gpu::Image& specular;    // cube of pre-convolved levels; black where there is none
+  const gpu::Image& irradiance;  // cube of irradiance / pi; black where there is none
+  const gpu::Image& brdf_table;  // E0, E1 by (n.v, smoothness), of the model in use
+  DiffuseEnvironment diffuse = DiffuseEnvironment::map;
   bool present = false;
 };
 
@@ -24,14 +26,14 @@ struct Inputs {
 };
 
 struct Outputs {
-  graph::GraphImage hdr;               // lit; premultiplied by the coverage in alpha
-  graph::GraphBuffer forward_lists;    // bit masks in light order, tile after tile; version 0 where nothing needs them
+  graph::GraphImage hdr;             // lit; premultiplied by the coverage in alpha
+  graph::GraphBuffer forward_lists;  // bit masks in light order, tile after tile; version 0 where nothing needs them
 };
 
 // Lights a tile's list holds at the most. More lights than that are refused by the frame.
 [[nodiscard]] Outputs add(graph::Graph& graph, const Inputs& in, const Settings& settings);
 
-// Constants 0..3 of upload/frame_lighting.glsl, which the forward pass shares.
-[[nodiscard]] gpu::Specialization shading_constants(const Settings& settings, bool environment);
+// Constants 0..4 of upload/frame_lighting.glsl, which the forward pass shares.
+[[nodiscard]] gpu::Specialization shading_constants(const Settings& settings, const Environment& environment);
 
 }  // namespace velarium::lighting
