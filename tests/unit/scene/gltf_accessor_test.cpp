@@ -151,6 +151,16 @@ TEST(GltfAccessor, PropertiesAreChecked) {
   refuse("normalized", true, "/normalized: FLOAT cannot be normalized");
 }
 
+TEST(GltfAccessor, ColumnsOfMatricesArePaddedButTheLast) {  // glTF 2.0, 3.6.2.4
+  Model model = triangle();
+  const int view = model.add_view(std::string(14, '\0'));  // two times two columns of two bytes, at multiples of 4
+  model.root["accessors"].push_back(
+      {{"bufferView", view}, {"componentType", kUnsignedByte}, {"type", "MAT2"}, {"count", 2}});
+  EXPECT_NO_THROW(static_cast<void>(read(model)));
+  model.root["bufferViews"][static_cast<std::size_t>(view)]["byteLength"] = 13;
+  expect_refused(model, "/accessors/2: 14 bytes from 0 on do not fit its view of 13 bytes");
+}
+
 TEST(GltfAccessor, ViewsAreChecked) {
   const auto refuse = [](const char* key, const Json& value, const std::string& part) {
     Model model = triangle();

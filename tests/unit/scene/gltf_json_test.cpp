@@ -17,8 +17,8 @@ void refuse_value(const std::string& text, const std::string& part, const std::f
 }
 
 TEST(GltfJson, SyntaxErrorsNameByteLineAndColumn) {
-  refuse("{\n  \"a\": ]\n}", "at byte 9 (line 2, column 8)");
-  refuse("{\"a\": 1", "at byte 7");
+  refuse("{\n  \"a\": ]\n}", "at its byte 9 (line 2, column 8)");
+  refuse("{\"a\": 1", "at its byte 7");
   refuse("{\"a\": tru}", "syntax error");
   refuse("{\"a\": 1e999}", "number overflow");
 }

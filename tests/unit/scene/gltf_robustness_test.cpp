@@ -62,8 +62,9 @@ TEST(GltfRobustness, DamagedBytesAreReadOrRefused) {
   constexpr std::string_view kLikely = "0123456789-.eE\"[]{},:\\ntf\xff";
   for (int round = 0; round < 4000; ++round) {
     std::string damaged = whole;
-    for (std::uint32_t i = random() % 3 + 1; i > 0; --i)
+    for (std::uint32_t i = random() % 3 + 1; i > 0; --i) {
       damaged[random() % damaged.size()] = kLikely[random() % kLikely.size()];
+    }
     expect_orderly(folder.write("damaged.gltf", damaged));
   }
 }
