@@ -127,7 +127,7 @@ class GltfAssets : public ::testing::Test {
   fs::path root_;
 };
 
-// What DESIGN's tables promise to those who read them.
+// What scene.hpp promises to those who read its tables.
 void expect_sound(const Scene& scene) {
   for (const Primitive& primitive : scene.primitives) {
     const std::size_t vertices = primitive.vertex_count();
