@@ -21,7 +21,7 @@ namespace velarium::bake {
 namespace {
 
 // To be raised whenever the same picture would bake to other bytes.
-constexpr std::uint64_t kVersion = 2;
+constexpr std::uint64_t kVersion = 3;
 
 gpu::ImageDesc background_desc(const image::FloatImage& equirect) {
   return {.format = VK_FORMAT_R16G16B16A16_SFLOAT,
