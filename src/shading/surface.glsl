@@ -1,6 +1,7 @@
 #ifndef VEL_SHADING_SURFACE_GLSL
 #define VEL_SHADING_SURFACE_GLSL
 
+#include "shading/color.glsl"
 #include "shading/lang.glsl"
 #include "shading/smoothness.glsl"
 
@@ -32,13 +33,19 @@ FN float dielectric_f0_from_ior(float ior) {
 
 // The metallic-roughness material of glTF 2.0 (appendix B) with KHR_materials_ior and KHR_materials_specular.
 // dielectric_f0_tint: specular * specular_color; the product with dielectric_f0 is clamped to 1.
+//
+// glTF mixes a finished dielectric and a finished metal: its diffuse light is base (1 - metallic) (1 - F) with the
+// dielectric's F. diffuse_share() knows only the mixed f0. As 1 - F is proportional to 1 - f0 under Schlick's
+// approximation, the ratio of the two belongs into the albedo, exactly; it never lifts it above the base colour.
 FN Surface surface_from_metal_rough(vec3 base_color, float metallic, float perceptual_roughness, float dielectric_f0,
                                     vec3 dielectric_f0_tint, vec3 normal_ws, float occlusion) {
   vec3 dielectric = min(dielectric_f0 * dielectric_f0_tint, vec3(1.0f));
   Surface s;
   s.normal_ws = normal_ws;
-  s.albedo = base_color * (1.0f - metallic);
   s.f0 = mix(dielectric, base_color, metallic);
+  float mixed_share = 1.0f - max_component(s.f0);
+  float dielectric_share = (1.0f - metallic) * (1.0f - max_component(dielectric));
+  s.albedo = base_color * min(dielectric_share / max(mixed_share, 1e-6f), 1.0f);
   s.smoothness = smoothness_from_alpha(alpha_from_perceptual_roughness(perceptual_roughness));
   s.occlusion = occlusion;
   s.transmittance_luma = 0.0f;
