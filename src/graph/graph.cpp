@@ -19,6 +19,23 @@ void refuse_stale(const Pass& pass, Handle handle, const std::vector<Resource>& 
                 fmt::format("pass '{}' reads '{}' before any pass wrote it", pass.name(), resource.name));
 }
 
+void refuse_read_only(const Pass& pass, const AccessInfo& access, const std::string& resource) {
+  if (access.writes == 0)
+    throw Error(ErrorCode::internal,
+                fmt::format("pass '{}' writes '{}' by an access that only reads", pass.name(), resource));
+}
+
+// The first write gives a resource its full name, under which the executor keeps it and --dump finds it.
+template <class Resource>
+void name_on_first_write(const Pass& pass, std::vector<Resource>& resources, std::uint32_t index) {
+  if (resources[index].version != 0) return;
+  const std::string name = pass.name() + "." + resources[index].name;
+  for (const auto& other : resources)
+    if (other.name == name)
+      throw Error(ErrorCode::internal, fmt::format("pass '{}' makes two resources named '{}'", pass.name(), name));
+  resources[index].name = name;
+}
+
 }  // namespace
 
 GraphImage Graph::image(std::string_view name, const gpu::ImageDesc& desc) {
@@ -59,8 +76,10 @@ Pass& Pass::read(GraphBuffer buffer, Access access) {
 GraphImage Pass::write(GraphImage image, Access access) {
   refuse_stale(*this, image, graph_.images_, false);
   auto& resource = graph_.images_[image.index];
-  if (resource.version == 0) resource.name = name_ + "." + resource.name;
-  resource.usage |= access_info(access, gpu::has_depth(resource.desc.format)).image_usage;
+  const AccessInfo info = access_info(access, gpu::has_depth(resource.desc.format));
+  refuse_read_only(*this, info, resource.name);
+  name_on_first_write(*this, graph_.images_, image.index);
+  resource.usage |= info.image_usage;
   image_uses_.push_back({image.index, access, true});
   return {image.index, ++resource.version};
 }
@@ -68,8 +87,10 @@ GraphImage Pass::write(GraphImage image, Access access) {
 GraphBuffer Pass::write(GraphBuffer buffer, Access access) {
   refuse_stale(*this, buffer, graph_.buffers_, false);
   auto& resource = graph_.buffers_[buffer.index];
-  if (resource.version == 0) resource.name = name_ + "." + resource.name;
-  resource.usage |= access_info(access, false).buffer_usage;
+  const AccessInfo info = access_info(access, false);
+  refuse_read_only(*this, info, resource.name);
+  name_on_first_write(*this, graph_.buffers_, buffer.index);
+  resource.usage |= info.buffer_usage;
   buffer_uses_.push_back({buffer.index, access, true});
   return {buffer.index, ++resource.version};
 }

@@ -80,6 +80,7 @@ class Pass {
   Pass& read(GraphImage image, Access access);
   Pass& read(GraphBuffer buffer, Access access);
   // The contents from before are kept unless this is the first write. Returns the handle for later passes.
+  // Throws Error(internal) for a stale handle, an access that only reads, and a second resource of the same full name.
   [[nodiscard]] GraphImage write(GraphImage image, Access access);
   [[nodiscard]] GraphBuffer write(GraphBuffer buffer, Access access);
   // What the pass records. Called once, when the graph is executed.

@@ -81,28 +81,6 @@ FN float level_of_smoothness(float smoothness) {
   return float(kPrefilterLevels - 1u) * (1.0f - smoothness);
 }
 
-struct PrefilterSample {
-  vec3 wi;           // about +z, the mirror direction; unit
-  float weight;      // n.wi; 0 where wi is below: leave such a sample out
-  float source_lod;  // level of the box-filtered source cube to read
-};
-
-// A sample of the GGX lobe seen head-on, n = v = r, with the level of the source that covers as much of the sphere as
-// one of sample_count samples does [Colbert & Krivanek 2007]. u in [0, 1)^2; face_size: pixels of the source's level 0.
-// The level's radiance is sum(weight * radiance) / sum(weight).
-FN PrefilterSample prefilter_sample(vec2 u, float alpha, uint sample_count, float face_size) {
-  vec3 h = sample_ggx_half_vector(u, alpha);
-  PrefilterSample result;
-  result.wi = vec3(2.0f * h.z * h.x, 2.0f * h.z * h.y, 2.0f * h.z * h.z - 1.0f);
-  result.weight = max(result.wi.z, 0.0f);
-  float pdf_sr = 0.25f * d_ggx_from_sin2(h.x * h.x + h.y * h.y, alpha);  // D n.h / (4 v.h), and here n.h = v.h
-  float sample_sr = 1.0f / (float(sample_count) * pdf_sr);
-  float texel_sr = 4.0f * kPi / (6.0f * face_size * face_size);
-  // One level more: neighbouring samples should overlap.
-  result.source_lod = max(0.5f * log2(sample_sr / texel_sr) + 1.0f, 0.0f);
-  return result;
-}
-
 // --- irradiance ---------------------------------------------------------------------------------------------------
 
 // Real spherical harmonics up to band 2 at the unit direction d [Ramamoorthi & Hanrahan 2001, eq. 3].

@@ -66,18 +66,6 @@ FN float screen_noise(uvec2 pixel, uint frame, uint seed) {
   return interleaved_gradient_noise(vec2(pixel) + vec2(float(h & 255u), float((h >> 8u) & 255u)));
 }
 
-// Uniform u in [0, 1) -> triangular density on (-1, 1), the sum of two uniform numbers.
-FN float triangular_from_uniform(float u) {
-  float v = 2.0f * u - 1.0f;
-  float magnitude = 1.0f - sqrt(max(1.0f - abs(v), 0.0f));
-  return v < 0.0f ? -magnitude : magnitude;
-}
-
-// To add before rounding, in steps of the output: makes the error's mean and variance independent of the signal.
-FN float dither_triangular(uvec2 pixel, uint frame, uint seed) {
-  return triangular_from_uniform(screen_noise(pixel, frame, seed));
-}
-
 // --- directions ---------------------------------------------------------------------------------------------------
 
 // From a frame whose z axis is n (unit) to the frame of n [Duff et al. 2017].

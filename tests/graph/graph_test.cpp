@@ -75,6 +75,23 @@ TEST(Graph, RefusesTwoLayoutsInOnePass) {
   expect_internal_error([&] { static_cast<void>(plan(graph)); }, "'blur' uses 'draw.color' in two image layouts");
 }
 
+TEST(Graph, RefusesAWriteThroughAnAccessThatReads) {
+  Graph graph;
+  auto& pass = graph.pass("one");
+  const auto image = graph.image("image", kColor);
+  const auto buffer = graph.buffer("buffer", 4);
+  expect_internal_error([&] { static_cast<void>(pass.write(image, Access::compute_sample)); }, "only reads");
+  expect_internal_error([&] { static_cast<void>(pass.write(buffer, Access::host_read)); }, "only reads");
+}
+
+TEST(Graph, RefusesTwoResourcesOfOneName) {
+  Graph graph;
+  auto& pass = graph.pass("one");
+  static_cast<void>(pass.write(graph.image("image", kColor), Access::compute_storage));
+  expect_internal_error([&] { static_cast<void>(pass.write(graph.image("image", kColor), Access::compute_storage)); },
+                        "'one.image'");
+}
+
 TEST(Graph, NamesAreThoseOfTheFirstWriter) {
   Graph graph;
   const auto color = graph.pass("draw").write(graph.image("color", kColor), Access::color_attachment);

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace velarium {
 namespace {
@@ -23,7 +25,7 @@ image::FloatImage make(std::uint32_t width, std::uint32_t height, glm::vec3 (*ra
 }
 
 TEST(Irradiance, ConstantLightIsItsOwnMean) {
-  for (const auto [width, height] : {std::pair{2u, 1u}, std::pair{128u, 64u}, std::pair{333u, 150u}}) {
+  for (const auto& [width, height] : std::array{std::pair{2u, 1u}, std::pair{128u, 64u}, std::pair{333u, 150u}}) {
     const auto image = make(width, height, [](const glm::vec3&) { return glm::vec3(3.0f, 2.0f, 1.0f); });
     for (const auto& value : bake::irradiance_cube(image, 4)) {
       EXPECT_NEAR(value.x, 3.0f, 3e-3f) << width;

@@ -73,35 +73,6 @@ TEST(Prefilter, LevelsAreLinearInSmoothness) {
   }
 }
 
-TEST(Prefilter, SamplesReadTheLevelOfTheirFootprint) {
-  // alpha 1: every direction of the sphere alike, pdf 1 / (4 pi), so a sample stands for 6 256^2 / 64 texels.
-  const PrefilterSample s = prefilter_sample(vec2(0.3f, 0.6f), 1.0f, 64u, 256.0f);
-  EXPECT_NEAR(s.source_lod, 0.5 * std::log2(6.0 * 256.0 * 256.0 / 64.0) + 1.0, 1e-4);
-  EXPECT_NEAR(length(s.wi), 1.0f, 1e-6);
-  EXPECT_EQ(s.weight, std::max(s.wi.z, 0.0f));
-  EXPECT_EQ(prefilter_sample(vec2(0.1f, 0.5f), 0.000729f, 64u, 256.0f).source_lod, 0.0f);
-}
-
-// The weighted samples follow D(theta_h) cos(theta): their mean cosine against the integral over the hemisphere.
-TEST(Prefilter, SamplesFollowTheLobe) {
-  for (const float alpha : {0.075419f, 0.475059f, 1.0f}) {
-    double sampled = 0.0, sampled_weight = 0.0, exact = 0.0, exact_weight = 0.0;
-    constexpr uint kSamples = 1u << 14;
-    for (uint i = 0; i < kSamples; ++i) {
-      const PrefilterSample s = prefilter_sample(hammersley(i, kSamples), alpha, kSamples, 256.0f);
-      sampled += s.weight * s.wi.z;
-      sampled_weight += s.weight;
-    }
-    for (int i = 0; i < 200000; ++i) {
-      const double c = (i + 0.5) / 200000.0, half_sin2 = 0.5 * (1.0 - c);  // sin^2 of half the angle
-      const double d = d_ggx_from_sin2(static_cast<float>(half_sin2), alpha);
-      exact += d * c * c;
-      exact_weight += d * c;
-    }
-    EXPECT_NEAR(sampled / sampled_weight, exact / exact_weight, 2e-3) << alpha;
-  }
-}
-
 // Radiance of bands 0 to 2 alone, so that nine coefficients hold all of it.
 float smooth_radiance(const vec3& d) {
   return 2.0f + 0.6f * d.y - 0.3f * d.x + 0.4f * d.x * d.z + 0.5f * d.y * d.y - 0.7f * d.y * d.z;

@@ -64,19 +64,6 @@ TEST(Sampling, JitterCoversThePixel) {
   for (const int n : cells) EXPECT_NEAR(n, 4, 2);
 }
 
-TEST(Sampling, DitherIsTriangular) {
-  double mean = 0.0, square = 0.0;
-  constexpr uint kSize = 512;
-  for (uint i = 0; i < kSize * kSize; ++i) {
-    const float d = dither_triangular(uvec2(i % kSize, i / kSize), 5u, 9u);
-    ASSERT_LT(std::abs(d), 1.0f);
-    mean += d / (kSize * kSize);
-    square += d * d / (kSize * kSize);
-  }
-  EXPECT_NEAR(mean, 0.0, 2e-3);
-  EXPECT_NEAR(square, 1.0 / 6.0, 2e-3);  // variance of the sum of two uniform steps
-}
-
 TEST(Sampling, NoiseDependsOnFrameAndSeed) {
   const uvec2 pixel{100, 200};
   EXPECT_NE(screen_noise(pixel, 0u, 0u), screen_noise(pixel, 1u, 0u));
