@@ -12,11 +12,11 @@ layout(set = 1, binding = 1) uniform sampler2D environment_brdf_table; // E0, E1
 layout(set = 1, binding = 2, std430) readonly buffer LightBuffer { GpuLight lights[]; };
 layout(set = 1, binding = 4) uniform samplerCube irradiance_map;       // irradiance / pi
 
-layout(constant_id = 0) const uint kModel = 0u;            // kModelGltf, kModelRyse
-layout(constant_id = 1) const uint kMultiScatter = 1u;
-layout(constant_id = 2) const uint kOcclusion = 1u;
-layout(constant_id = 3) const uint kEnvironment = 1u;      // 0: there is none
-layout(constant_id = 4) const uint kDiffuseSh = 0u;        // 1: irradiance from frame.sh, 0: from irradiance_map
+layout(constant_id = 1) const uint kModel = 0u;            // kModelGltf, kModelRyse
+layout(constant_id = 2) const uint kMultiScatter = 1u;
+layout(constant_id = 3) const uint kOcclusion = 1u;
+layout(constant_id = 4) const uint kEnvironment = 1u;      // 0: there is none
+layout(constant_id = 5) const uint kDiffuseSh = 0u;        // 1: irradiance from frame.sh, 0: from irradiance_map
 
 // What does not depend on the light.
 struct ShadingPoint {

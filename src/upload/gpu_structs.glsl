@@ -45,7 +45,7 @@ struct TextureSlot {
   vec4 rows;
   vec2 offset;
   uint uv_set;    // 0 or 1: which of the vertex's two sets
-  uint present;   // 0: the texture reads as 1
+  uint unused;
 };
 
 const uint kMaterialUnlit = 1u;        // GpuMaterial::flags

@@ -18,6 +18,10 @@ layout(set = 2, binding = 4) uniform sampler2D emissive_map;
 layout(set = 2, binding = 5) uniform sampler2D specular_map;
 layout(set = 2, binding = 6) uniform sampler2D specular_color_map;
 
+// Bit i: slot i has a texture. A constant, not a branch on the material: llvmpipe executes both sides of a branch, and
+// seven filtered fetches cost more than the rest of the surface.
+layout(constant_id = 0) const uint kSlots = 0x7fu;
+
 // Interpolated over the triangle.
 struct FragmentInput {
   vec3 normal_ws;    // null where the geometry has none
@@ -28,8 +32,8 @@ struct FragmentInput {
 };
 
 vec4 sample_slot(sampler2D map, uint slot, vec4 uv) {
+  if ((kSlots & (1u << slot)) == 0u) return vec4(1.0);
   TextureSlot s = material.slots[slot];
-  if (s.present == 0u) return vec4(1.0);
   vec2 set = s.uv_set == 0u ? uv.xy : uv.zw;
   return texture(map, vec2(dot(s.rows.xy, set), dot(s.rows.zw, set)) + s.offset);
 }
@@ -46,7 +50,7 @@ vec3 material_emissive(FragmentInput f) {
 vec3 material_normal(FragmentInput f) {
   vec3 n = normalize(f.normal_ws);
   float side = f.front_facing ? 1.0 : -1.0;
-  bool mapped = material.slots[kSlotNormal].present != 0u && dot(f.tangent_ws.xyz, f.tangent_ws.xyz) > 0.0;
+  bool mapped = (kSlots & (1u << kSlotNormal)) != 0u && dot(f.tangent_ws.xyz, f.tangent_ws.xyz) > 0.0;
   if (!mapped) return n * side;
   vec3 m = sample_slot(normal_map, kSlotNormal, f.uv).xyz * 2.0 - 1.0;
   m.xy *= material.emissive.w;

@@ -13,8 +13,7 @@ TextureSlot gpu_slot(const scene::TextureRef& ref, const UvChoice& uv) {
   const float c = std::cos(ref.rotation), s = std::sin(ref.rotation);
   return {.rows = {c * ref.scale.x, s * ref.scale.y, -s * ref.scale.x, c * ref.scale.y},
           .offset = ref.offset,
-          .uv_set = uv.place_of(ref.uv_set),
-          .present = ref.present() ? 1u : 0u};
+          .uv_set = uv.place_of(ref.uv_set)};
 }
 
 GpuMaterial gpu_material(const scene::Material& m) {
@@ -32,6 +31,13 @@ GpuMaterial gpu_material(const scene::Material& m) {
 }
 
 }  // namespace
+
+std::uint32_t slot_mask(const scene::Material& material) {
+  std::uint32_t mask = 0;
+  const auto slots = slots_of(material);
+  for (std::uint32_t i = 0; i < kSlotCount; ++i) mask |= slots[i]->present() ? 1u << i : 0u;
+  return mask;
+}
 
 UvChoice uv_choice(const scene::Material& material) {
   std::vector<std::uint32_t> used;

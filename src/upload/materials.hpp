@@ -11,6 +11,9 @@ namespace velarium::upload {
 // The texture coordinate sets that a material reads. More than two distinct ones do not fit a vertex.
 [[nodiscard]] UvChoice uv_choice(const scene::Material& material);
 
+// Bit i: slot i has a texture. Constant 0 of shaders that include upload/material.glsl.
+[[nodiscard]] std::uint32_t slot_mask(const scene::Material& material);
+
 // A material at an offset that every device can bind (256 is the largest alignment that Vulkan lets one ask for).
 struct alignas(256) MaterialBlock {
   GpuMaterial material;

@@ -13,14 +13,16 @@ constexpr std::uint32_t kFragment[] =
 #include "shaders/forward.frag.inc"
     ;
 
-gpu::RasterState raster_state(const graph::Graph& graph, const Inputs& in, scene::Topology topology) {
+gpu::RasterState raster_state(const graph::Context& c, const Inputs& in, scene::Topology topology,
+                              std::uint32_t slots) {
   auto constants = in.shading_constants;
+  constants[0] = slots;
   constants.push_back(in.forward_lists.version != 0 ? 1u : 0u);
   return {.vertex_bindings = upload::vertex_bindings(),
           .vertex_attributes = upload::vertex_attributes(),
           .topology = upload::vulkan_topology(topology),
-          .color_formats = {graph.desc(in.hdr).format},
-          .depth_format = graph.desc(in.depth).format,
+          .color_formats = {c.image(in.hdr).desc().format},
+          .depth_format = c.image(in.depth).desc().format,
           .depth_write = false,
           .blend = gpu::Blend::premultiplied,
           .fragment_constants = constants};
@@ -48,14 +50,15 @@ void draw_sides(graph::Context& c, const Inputs& in, const upload::Draw& draw, b
   in.scene.gpu->draw(c.commands(), draw);
 }
 
-void draw_all(graph::Context& c, const Inputs& in, const std::array<gpu::RasterState, 3>& states) {
+void draw_all(graph::Context& c, const Inputs& in) {
   const auto& scene = in.scene.gpu->scene();
   const gpu::Pipeline* bound = nullptr;
   for (const auto& draw : in.scene.draws.blended) {
     const auto& primitive = scene.primitives[draw.primitive];
     const auto& material = upload::material_or_default(scene, primitive.material);
-    const auto& state = states[static_cast<std::size_t>(primitive.topology)];
-    const auto& pipeline = c.tools().pipelines.raster(upload::surface_vertex_shader(), kFragment, state);
+    const auto& pipeline =
+        c.tools().pipelines.raster(upload::surface_vertex_shader(), kFragment,
+                                   raster_state(c, in, primitive.topology, upload::slot_mask(material)));
     if (&pipeline != bound) bind_frame(c, pipeline, in);
     bound = &pipeline;
     c.bind_set(pipeline, 2, upload::material_bindings(c.tools().samplers, in.scene, draw.material));
@@ -73,12 +76,9 @@ graph::GraphImage add(graph::Graph& graph, const Inputs& in) {
   pass.read(in.depth, Access::depth_test);
   if (in.forward_lists.version != 0) pass.read(in.forward_lists, Access::fragment_sample);
   const auto hdr = pass.write(in.hdr, Access::color_attachment);
-  const std::array states{raster_state(graph, in, scene::Topology::points),
-                          raster_state(graph, in, scene::Topology::lines),
-                          raster_state(graph, in, scene::Topology::triangles)};
-  pass.run([in, hdr, states](graph::Context& c) {
+  pass.run([in, hdr](graph::Context& c) {
     c.begin_rendering({.colors = {{hdr}}, .depth = in.depth, .depth_writable = false});
-    draw_all(c, in, states);
+    draw_all(c, in);
     c.end_rendering();
   });
   return hdr;

@@ -4,6 +4,8 @@
 #include "upload/draw_scene.hpp"
 #include "upload/materials.hpp"
 
+#include <map>
+
 namespace velarium::gbuffer {
 namespace {
 
@@ -19,14 +21,22 @@ const std::vector<VkFormat> kColorFormats{VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_R8
 
 constexpr gpu::SamplerDesc kTableSampler{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST};
 
-gpu::RasterState raster_state(scene::Topology topology, bool alpha_test) {
+// What tells pipelines of this pass apart.
+struct Variant {
+  scene::Topology topology;
+  std::uint32_t slots;  // upload::slot_mask()
+  bool alpha_test;
+  auto operator<=>(const Variant&) const = default;
+};
+
+gpu::RasterState raster_state(const Variant& variant) {
   return {.vertex_bindings = upload::vertex_bindings(),
           .vertex_attributes = upload::vertex_attributes(),
-          .topology = upload::vulkan_topology(topology),
+          .topology = upload::vulkan_topology(variant.topology),
           .color_formats = kColorFormats,
           .depth_format = kDepthFormat,
           .write_stencil = true,
-          .fragment_constants = {alpha_test ? 1u : 0u}};
+          .fragment_constants = {variant.slots, variant.alpha_test ? 1u : 0u}};
 }
 
 bool is_unlit(const scene::Primitive& primitive, const scene::Material& material) {
@@ -37,15 +47,19 @@ bool is_unlit(const scene::Primitive& primitive, const scene::Material& material
 void draw_all(graph::Context& c, const Inputs& in) {
   const auto& gpu_scene = *in.scene.gpu;
   const auto& scene = gpu_scene.scene();
+  std::map<Variant, const gpu::Pipeline*> pipelines;
   const gpu::Pipeline* bound_pipeline = nullptr;
   std::int64_t bound_material = -1;
   int bound_streams = -1;
   for (const auto& draw : in.scene.draws.opaque) {
     const auto& primitive = scene.primitives[draw.primitive];
     const auto& material = upload::material_or_default(scene, primitive.material);
-    const auto& pipeline =
-        c.tools().pipelines.raster(upload::surface_vertex_shader(), kFragment,
-                                   raster_state(primitive.topology, material.alpha_mode == scene::AlphaMode::mask));
+    const Variant variant{primitive.topology, upload::slot_mask(material),
+                          material.alpha_mode == scene::AlphaMode::mask};
+    const auto*& known = pipelines[variant];
+    if (known == nullptr)
+      known = &c.tools().pipelines.raster(upload::surface_vertex_shader(), kFragment, raster_state(variant));
+    const auto& pipeline = *known;
     if (&pipeline != bound_pipeline) {
       c.bind(pipeline);
       c.set(pipeline, 0).buffer(0, in.scene.frame).buffer(1, in.scene.objects).bind();

@@ -4,7 +4,7 @@
 #include "shading/gbuffer.glsl"
 #include "upload/material.glsl"
 
-layout(constant_id = 0) const uint kAlphaTest = 0u;   // 1: MASK
+layout(constant_id = 1) const uint kAlphaTest = 0u;   // 1: MASK
 
 layout(set = 1, binding = 0) uniform sampler2D normal_lengths;
 

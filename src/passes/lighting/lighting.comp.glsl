@@ -24,9 +24,9 @@ layout(set = 0, binding = 9, std430) writeonly buffer TileBuffer { uint forward_
 
 #include "upload/frame_lighting.glsl"
 
-layout(constant_id = 5) const uint kTiled = 1u;          // 0: every light at every pixel
-layout(constant_id = 6) const uint kForwardLists = 0u;   // 1: write the lists that transparent surfaces need
-layout(constant_id = 7) const uint kLights = 1u;         // 0: the scene has none
+layout(constant_id = 6) const uint kTiled = 1u;          // 0: every light at every pixel
+layout(constant_id = 7) const uint kForwardLists = 0u;   // 1: write the lists that transparent surfaces need
+layout(constant_id = 8) const uint kLights = 1u;         // 0: the scene has none
 
 shared uint tile_min, tile_max;      // bits of positive floats, which order as the floats do
 shared uint tile_depth_mask;

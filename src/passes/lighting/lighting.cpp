@@ -26,7 +26,8 @@ gpu::Specialization shading_constants(const Settings& settings, const Environmen
   const bool ryse = settings.model == ShadingModel::ryse;
   // Compensation would undo the darkening that Ryse's visibility term is meant to have.
   const bool multi_scatter = settings.multi_scatter && !ryse;
-  return {ryse ? shading::kModelRyse : shading::kModelGltf, multi_scatter ? 1u : 0u, settings.occlusion ? 1u : 0u,
+  return {0u,
+          ryse ? shading::kModelRyse : shading::kModelGltf, multi_scatter ? 1u : 0u, settings.occlusion ? 1u : 0u,
           environment.present ? 1u : 0u, environment.diffuse == DiffuseEnvironment::sh ? 1u : 0u};
 }
 

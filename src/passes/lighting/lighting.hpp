@@ -33,7 +33,7 @@ struct Outputs {
 // Lights a tile's list holds at the most. More lights than that are refused by the frame.
 [[nodiscard]] Outputs add(graph::Graph& graph, const Inputs& in, const Settings& settings);
 
-// Constants 0..4 of upload/frame_lighting.glsl, which the forward pass shares.
+// Constants 0..5 of upload/frame_lighting.glsl (0 belongs to the material), which the forward pass shares.
 [[nodiscard]] gpu::Specialization shading_constants(const Settings& settings, const Environment& environment);
 
 }  // namespace velarium::lighting
