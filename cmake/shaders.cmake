@@ -2,6 +2,9 @@
 # and writes it as a C++ initialiser list to shaders/name.stage.inc, on the target's include path.
 # `file:NAME=DEFINE[,DEFINE]` makes a variant shaders/NAME.inc with those macros.
 function(velarium_shaders target)
+  # glslc does not escape spaces in its dependency files: relative names keep the tree's own path out of them.
+  # CMake reads them relative to the current binary folder (CMP0116).
+  file(RELATIVE_PATH include_root ${CMAKE_CURRENT_BINARY_DIR} ${PROJECT_SOURCE_DIR}/src)
   foreach(entry IN LISTS ARGN)
     string(REPLACE ":" ";" parts "${entry}")
     list(GET parts 0 file)
@@ -23,10 +26,13 @@ function(velarium_shaders target)
     endif()
     set(source ${CMAKE_CURRENT_SOURCE_DIR}/${file})
     set(output ${PROJECT_BINARY_DIR}/generated/shaders/${out}.inc)
+    file(RELATIVE_PATH relative_source ${CMAKE_CURRENT_BINARY_DIR} ${source})
+    file(RELATIVE_PATH relative_output ${CMAKE_CURRENT_BINARY_DIR} ${output})
     add_custom_command(
       OUTPUT ${output}
       COMMAND ${GLSLC} --target-env=vulkan1.3 -O -Werror -mfmt=c -fshader-stage=${stage} ${defines}
-              -I ${PROJECT_SOURCE_DIR}/src -MD -MF ${output}.d -MT ${output} -o ${output} ${source}
+              -I ${include_root} -MD -MF ${relative_output}.d -MT ${relative_output} -o ${relative_output} ${relative_source}
+      WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
       DEPENDS ${source}
       DEPFILE ${output}.d
       COMMENT "glslc ${out}"
