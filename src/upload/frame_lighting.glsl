@@ -40,10 +40,10 @@ ShadingPoint shading_point(Surface surface, vec3 position_ws, vec3 wo) {
   return p;
 }
 
-// World to the environment's own axes: a turn about +Y.
+// World to the environment's own axes: the inverse of its turn about +Y, which takes +Z to +X.
 vec3 to_environment(vec3 d, FrameUniforms frame) {
   float c = frame.environment.y, s = frame.environment.z;
-  return vec3(c * d.x + s * d.z, d.y, c * d.z - s * d.x);
+  return vec3(c * d.x - s * d.z, d.y, s * d.x + c * d.z);
 }
 
 // What occlusion leaves of the mirror direction [Lagarde & de Rousiers 2014, "Moving Frostbite to PBR", listing 26].
