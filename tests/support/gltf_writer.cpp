@@ -1,0 +1,182 @@
+#include "support/gltf_writer.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace velarium::test {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int kFloat = 5126;  // componentType of glTF 2.0, 3.6.2.2
+
+Json json(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+// The rotation that turns -Z, along which cameras look and lights shine, to `direction`.
+Json turned_to(const glm::vec3& direction) {
+  const glm::vec3 unit = glm::normalize(direction);
+  const glm::vec3 up = std::abs(unit.y) > 0.9f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  const glm::quat q = glm::quatLookAt(unit, up);
+  return {q.x, q.y, q.z, q.w};
+}
+
+void use_extension(Json& root, const char* name) {
+  Json& used = root["extensionsUsed"];
+  for (const auto& known : used)
+    if (known == name) return;
+  used.push_back(name);
+}
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "velarium-scene-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace
+
+GltfWriter::GltfWriter(const glm::dvec3& origin) {
+  root_["asset"] = {{"version", "2.0"}};
+  root_["scene"] = 0;
+  root_["scenes"] = Json::array({{{"nodes", {0}}}});
+  root_["nodes"] = Json::array({{{"translation", {origin.x, origin.y, origin.z}}}});
+}
+
+int GltfWriter::add_child(Json node) {
+  Json& nodes = root_["nodes"];
+  const int index = static_cast<int>(nodes.size());
+  nodes.push_back(std::move(node));
+  nodes[0]["children"].push_back(index);
+  return index;
+}
+
+int GltfWriter::add_material(const TestMaterial& m) {
+  Json material{{"pbrMetallicRoughness",
+                 {{"baseColorFactor", {m.base_color.x, m.base_color.y, m.base_color.z, m.base_color.w}},
+                  {"metallicFactor", m.metallic},
+                  {"roughnessFactor", m.perceptual_roughness}}},
+                {"emissiveFactor", json(m.emissive)},
+                {"alphaMode", m.alpha_mode},
+                {"doubleSided", m.double_sided}};
+  const auto extend = [&](const char* name, Json value) {
+    material["extensions"][name] = std::move(value);
+    use_extension(root_, name);
+  };
+  extend("KHR_materials_specular", {{"specularFactor", m.specular}});
+  if (m.emissive_strength != 1.0f)
+    extend("KHR_materials_emissive_strength", {{"emissiveStrength", m.emissive_strength}});
+  if (m.unlit) extend("KHR_materials_unlit", Json::object());
+  root_["materials"].push_back(std::move(material));
+  return static_cast<int>(root_["materials"].size()) - 1;
+}
+
+int GltfWriter::add_accessor(const std::vector<float>& values, int components, bool bounds) {
+  const std::size_t count = values.size() / static_cast<std::size_t>(components), size = values.size() * sizeof(float);
+  root_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", size}});
+  bytes_.append(reinterpret_cast<const char*>(values.data()), size);
+  Json accessor{{"bufferView", root_["bufferViews"].size() - 1},
+                {"componentType", kFloat},
+                {"count", count},
+                {"type", "VEC" + std::to_string(components)}};
+  if (bounds) {
+    Json lowest, highest;
+    for (int c = 0; c < components; ++c) {
+      float low = values[static_cast<std::size_t>(c)], high = low;
+      for (std::size_t i = static_cast<std::size_t>(c); i < values.size(); i += static_cast<std::size_t>(components)) {
+        low = std::min(low, values[i]);
+        high = std::max(high, values[i]);
+      }
+      lowest.push_back(low);
+      highest.push_back(high);
+    }
+    accessor["min"] = lowest;
+    accessor["max"] = highest;
+  }
+  root_["accessors"].push_back(std::move(accessor));
+  return static_cast<int>(root_["accessors"].size()) - 1;
+}
+
+void GltfWriter::add_quad(int material, const glm::vec3& center, const glm::vec3& normal, const glm::vec2& size) {
+  const glm::vec3 n = glm::normalize(normal);
+  const glm::vec3 side = std::abs(n.y) > 0.9f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  const glm::vec3 x = 0.5f * size.x * glm::normalize(glm::cross(side, n));
+  const glm::vec3 y = 0.5f * size.y * glm::normalize(glm::cross(n, x));
+  std::vector<float> positions, normals;
+  for (const glm::vec3& p :
+       {center - x - y, center + x - y, center + x + y, center - x - y, center + x + y, center - x + y}) {
+    positions.insert(positions.end(), {p.x, p.y, p.z});
+    normals.insert(normals.end(), {n.x, n.y, n.z});
+  }
+  const int position = add_accessor(positions, 3, true), direction = add_accessor(normals, 3, false);
+  const Json primitive{{"attributes", {{"POSITION", position}, {"NORMAL", direction}}}, {"material", material}};
+  root_["meshes"].push_back({{"primitives", Json::array({primitive})}});
+  add_child({{"mesh", root_["meshes"].size() - 1}});
+}
+
+void GltfWriter::add_box(int material, const glm::vec3& center, const glm::vec3& size) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float sign : {-1.0f, 1.0f}) {
+      glm::vec3 normal(0.0f);
+      normal[axis] = sign;
+      // As add_quad lays its sides: x first, but for faces along X and Y.
+      const glm::vec2 face = axis == 0   ? glm::vec2(size.z, size.y)
+                             : axis == 1 ? glm::vec2(size.z, size.x)
+                                         : glm::vec2(size.x, size.y);
+      add_quad(material, center + 0.5f * normal * size, normal, face);
+    }
+  }
+}
+
+void GltfWriter::add_light(const TestLight& l) {
+  use_extension(root_, "KHR_lights_punctual");
+  Json light{{"type", l.type}, {"intensity", l.intensity}, {"color", json(l.color)}};
+  if (l.range > 0.0f) light["range"] = l.range;
+  if (l.type == "spot") light["spot"] = {{"innerConeAngle", l.inner_cone}, {"outerConeAngle", l.outer_cone}};
+  Json& lights = root_["extensions"]["KHR_lights_punctual"]["lights"];
+  lights.push_back(std::move(light));
+  add_child({{"translation", json(l.position)},
+             {"rotation", turned_to(l.direction)},
+             {"extensions", {{"KHR_lights_punctual", {{"light", lights.size() - 1}}}}}});
+}
+
+void GltfWriter::add_orthographic_camera(const glm::vec3& eye, const glm::vec3& target, float half_height,
+                                         float far_depth) {
+  root_["cameras"].push_back(
+      {{"type", "orthographic"},
+       {"orthographic", {{"xmag", half_height}, {"ymag", half_height}, {"znear", 0.01f}, {"zfar", far_depth}}}});
+  add_child(
+      {{"camera", root_["cameras"].size() - 1}, {"translation", json(eye)}, {"rotation", turned_to(target - eye)}});
+}
+
+Scene GltfWriter::load() const {
+  const TemporaryFolder folder;
+  Json root = root_;
+  if (!bytes_.empty()) {
+    root["buffers"] = Json::array({{{"byteLength", bytes_.size()}, {"uri", "scene.bin"}}});
+    std::ofstream(folder.path() / "scene.bin", std::ios::binary) << bytes_;
+  }
+  const auto file = folder.path() / "scene.gltf";
+  std::ofstream(file) << root;
+  return Scene::load(file);
+}
+
+}  // namespace velarium::test

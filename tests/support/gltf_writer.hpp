@@ -1,0 +1,61 @@
+#pragma once
+
+// Scenes made in code, as glTF files that the library then reads.
+
+#include <velarium/scene.hpp>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace velarium::test {
+
+struct TestMaterial {
+  glm::vec4 base_color{1.0f};
+  float metallic = 0.0f, perceptual_roughness = 1.0f;
+  float specular = 0.0f;  // KHR_materials_specular; 0: nothing but Lambert's diffuse light
+  glm::vec3 emissive{0.0f};
+  float emissive_strength = 1.0f;
+  bool unlit = false, double_sided = false;
+  std::string alpha_mode = "OPAQUE";
+};
+
+struct TestLight {
+  std::string type = "point";
+  float intensity = 1.0f;  // lux or candela
+  glm::vec3 color{1.0f};
+  float range = 0.0f;  // metres; 0: none
+  float inner_cone = 0.0f, outer_cone = 0.7853982f;
+  glm::vec3 position{0.0f}, direction{0.0f, 0.0f, -1.0f};  // direction: need not be unit
+};
+
+// Lists of primitives in world space; everything hangs below one node, so that the whole can be moved.
+class GltfWriter {
+ public:
+  explicit GltfWriter(const glm::dvec3& origin = glm::dvec3(0.0));
+
+  int add_material(const TestMaterial& material);
+  // A rectangle of `size` metres, seen from where `normal` (need not be unit) points to.
+  void add_quad(int material, const glm::vec3& center, const glm::vec3& normal, const glm::vec2& size);
+  // Six of them around `center`.
+  void add_box(int material, const glm::vec3& center, const glm::vec3& size);
+  void add_light(const TestLight& light);
+  // Looks from `eye` to `target`; half of the height it sees, and the depths, in metres.
+  void add_orthographic_camera(const glm::vec3& eye, const glm::vec3& target, float half_height, float far_depth);
+
+  // Writes the file to a temporary folder, reads it, and removes it.
+  [[nodiscard]] Scene load() const;
+
+ private:
+  int add_accessor(const std::vector<float>& values, int components, bool bounds);
+  int add_child(nlohmann::json node);
+
+  nlohmann::json root_;
+  std::string bytes_;
+};
+
+}  // namespace velarium::test
