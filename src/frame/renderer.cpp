@@ -2,14 +2,11 @@
 
 #include "bake/environment_brdf.hpp"
 #include "bake/normal_lengths.hpp"
+#include "frame/check_request.hpp"
 #include "frame/dump.hpp"
 #include "frame/timings.hpp"
 #include "upload/transfer.hpp"
 
-#include <velarium/error.hpp>
-
-#include <fmt/core.h>
-#include <fmt/ranges.h>
 #include <glm/gtc/packing.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -80,7 +77,7 @@ const gpu::Image& Renderer::brdf_table(ShadingModel model) {
 
 RenderResult Renderer::render(const Job& job) {
   const auto& request = job.request;
-  check_size(request);
+  check_request(request, tools_.device.caps().max_image_size);
   const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
   const auto view = upload::view_matrices(job.camera, aspect);
   auto scene =
@@ -112,13 +109,6 @@ RenderResult Renderer::render(const Job& job) {
   result.report.device_bytes = tools_.device.memory().peak_bytes();
   result.report.device = tools_.device.info().name;
   return result;
-}
-
-void Renderer::check_size(const RenderRequest& request) const {
-  const std::uint32_t limit = tools_.device.caps().max_image_size;
-  if (request.width == 0 || request.height == 0 || std::max(request.width, request.height) > limit)
-    throw Error(ErrorCode::usage, fmt::format("a picture of {}x{} pixels cannot be made: {} takes 1 to {} a side",
-                                              request.width, request.height, tools_.device.info().name, limit));
 }
 
 void Renderer::run_frames(const Job& job, const FrameInputs& inputs, upload::FrameUniforms uniforms,

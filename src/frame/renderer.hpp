@@ -28,12 +28,11 @@ class Renderer {
  public:
   explicit Renderer(gpu::Toolbox& tools);
 
-  // Throws Error(usage) for a size that the device does not take and for the name of an image to dump that no frame
-  // makes, listing those there are.
+  // Throws as check_request(), and Error(usage) for the name of an image to dump that no frame makes, listing those
+  // there are.
   [[nodiscard]] RenderResult render(const Job& job);
 
  private:
-  void check_size(const RenderRequest& request) const;
   void run_frames(const Job& job, const FrameInputs& inputs, upload::FrameUniforms uniforms,
                   const upload::ViewMatrices& view, RenderReport& report);
   void read_picture(const Job& job, RenderResult& result);
