@@ -35,14 +35,19 @@ constexpr Row kRows[] = {
 namespace shading {
 
 // GLSL's constructor syntax for structures.
-#define GpuLight(...) GpuLight{__VA_ARGS__}
+#define GpuLight(...) \
+  GpuLight {          \
+    __VA_ARGS__       \
+  }
 vec4 evaluate_on_host(uint function, vec4 a, vec4 b, [[maybe_unused]] vec4 c) {
   switch (function) {
 #define PARITY(number, name, ulps, expression) \
-  case number: return expression;
+  case number:                                 \
+    return expression;
 #include "functions.def"
 #undef PARITY
-    default: return vec4(0.0f);
+    default:
+      return vec4(0.0f);
   }
 }
 #undef GpuLight
@@ -79,8 +84,7 @@ class Parity : public testing::TestWithParam<Row> {
                               gpu::MemoryUse::readback);
     const auto& pipeline = tools_->pipelines.compute(kShader);
     tools_->descriptors.reset();
-    const auto set =
-        tools_->descriptors.make(pipeline, 0, gpu::Bindings().buffer(0, inputs).buffer(1, outputs));
+    const auto set = tools_->descriptors.make(pipeline, 0, gpu::Bindings().buffer(0, inputs).buffer(1, outputs));
     const VkCommandBuffer commands = device_->begin();
     vkCmdBindPipeline(commands, pipeline.bind_point(), pipeline.vk());
     vkCmdBindDescriptorSets(commands, pipeline.bind_point(), pipeline.layout(), 0, 1, &set, 0, nullptr);
