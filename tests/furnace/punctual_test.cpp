@@ -58,17 +58,22 @@ struct Stage {
 
 const Stage kDiagonal(glm::vec3(1.0f));
 
-// What pixel (i, j) sees of the plane: metres along the stage's x and y.
-glm::vec3 seen_at(std::uint32_t i, std::uint32_t j) {
+// What the middle of pixel (i, j), or a point `offset` pixels beside it, sees of the plane: metres along x and y.
+glm::vec3 seen_at(std::uint32_t i, std::uint32_t j, const glm::vec2& offset = glm::vec2(0.0f)) {
   const float half = kCameraDistance * std::tan(glm::radians(0.5f * kFovDeg)), pixel = 2.0f * half / kSize;
-  return {(static_cast<float>(i) + 0.5f) * pixel - half, half - (static_cast<float>(j) + 0.5f) * pixel, 0.0f};
+  const glm::vec2 place = glm::vec2(i, j) + 0.5f + offset;
+  return {place.x * pixel - half, half - place.y * pixel, 0.0f};
 }
 
-// Holds every pixel against irradiance(point on the plane) / pi.
-void expect_irradiance(const Picture& picture, const std::function<float(const glm::vec3&)>& irradiance) {
+// Holds every pixel against irradiance(point on the plane) / pi, the mean over the jittered points of all frames.
+void expect_irradiance(const Picture& picture, const std::function<float(const glm::vec3&)>& irradiance,
+                       std::uint32_t frames = 1) {
   for (std::uint32_t j = 0; j < kSize; ++j) {
     for (std::uint32_t i = 0; i < kSize; ++i) {
-      const float expected = irradiance(seen_at(i, j)) * glm::one_over_pi<float>();
+      float sum = 0.0f;
+      for (std::uint32_t frame = 0; frame < frames; ++frame)
+        sum += irradiance(seen_at(i, j, shading::pixel_jitter(frame, frames)));
+      const float expected = sum / static_cast<float>(frames) * glm::one_over_pi<float>();
       const float actual = linear_at(picture, i, j).g;
       ASSERT_NEAR(actual, expected, kTolerance * expected + kNothing) << "pixel " << i << ", " << j;
     }
@@ -145,6 +150,18 @@ TEST(PointLight, OneCandelaAtTwoMetres) {
   expect_irradiance(picture, [&](const glm::vec3& p) { return of_candela(above, p); });
 }
 
+// A light so near that it changes much within a pixel.
+TEST(PointLight, FramesSeeJitteredPoints) {
+  const glm::vec3 above(0.0f, 0.02f, 0.1f);
+  GltfWriter scene;
+  scene.add_quad(scene.add_material({}), glm::vec3(0.0f), kDiagonal.normal, glm::vec2(20.0f));
+  scene.add_light({.type = "point", .intensity = 0.01f, .position = kDiagonal.place(above)});
+  RenderRequest request = kDiagonal.request();
+  request.settings.frame.spp = 5;
+  expect_irradiance(
+      picture_of(scene.load(), request), [&](const glm::vec3& p) { return 0.01f * of_candela(above, p); }, 5);
+}
+
 TEST(PointLight, RangeEndsItAsTheExtensionSays) {
   const glm::vec3 above(0.7f, -0.4f, 1.0f);
   constexpr float kRange = 2.0f;
@@ -171,7 +188,6 @@ TEST(SpotLight, FallsOffBetweenItsConesAsTheExtensionSays) {
   std::size_t inside = 0, between = 0, outside = 0;
   expect_irradiance(picture, [&](const glm::vec3& p) {
     const float cosine = glm::dot(glm::normalize(p - above), glm::normalize(axis));
-    // In double precision the same; in floats, near the outer cone, the relative error of what is left grows.
     const float share = (cosine - std::cos(kOuter)) / (std::cos(kInner) - std::cos(kOuter));
     if (share <= 0.0f)
       ++outside;

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> gltf_files(const fs::path& folder) {
+// The folder's files of these endings, in the order of their names.
+std::vector<fs::path> files_of(const fs::path& folder, const std::set<fs::path>& endings) {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const fs::path extension = entry.path().extension();
-    if (entry.is_regular_file() && (extension == ".gltf" || extension == ".glb")) files.push_back(entry.path());
-  }
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && endings.contains(entry.path().extension())) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -38,6 +38,8 @@ void expect_picture(const Picture& picture) {
     ASSERT_TRUE(i % 4 != 3 || picture.linear[i] == 1.0f) << "value " << i;
   }
 }
+
+const std::set<fs::path> kScenes{".gltf", ".glb"}, kEnvironments{".hdr", ".exr"};
 
 // Draws the file, or says why it was refused. Anything else fails, the messages of validation layers among it.
 std::optional<ErrorCode> refusal_of(const fs::path& file) {
@@ -72,7 +74,7 @@ class Assets : public testing::TestWithParam<const char*> {};
 TEST_P(Assets, AreDrawnOrNeedWhatIsNotSupported) {
   const fs::path folder = collected(GetParam());
   if (folder.empty()) GTEST_SKIP() << "VELARIUM_ASSETS names no folder with '" << GetParam() << "' in it";
-  const auto files = gltf_files(folder);
+  const auto files = files_of(folder, kScenes);
   EXPECT_FALSE(files.empty());
   for (const fs::path& file : files) {
     SCOPED_TRACE(file.string());
@@ -89,13 +91,26 @@ TEST(MalformedAssets, EndInTime) {
   const fs::path folder = collected("malformed");
   if (folder.empty()) GTEST_SKIP() << "VELARIUM_ASSETS names no folder with 'malformed' in it";
   bool any_refused = false;
-  for (const fs::path& file : gltf_files(folder)) {
+  for (const fs::path& file : files_of(folder, kScenes)) {
     SCOPED_TRACE(file.string());
     const auto start = std::chrono::steady_clock::now();
     if (refusal_of(file)) any_refused = true;
     EXPECT_LT(std::chrono::steady_clock::now() - start, kPatience);
   }
   EXPECT_TRUE(any_refused);
+}
+
+TEST(CollectedEnvironments, LightAScene) {
+  const fs::path folder = collected("hdri");
+  if (folder.empty()) GTEST_SKIP() << "VELARIUM_ASSETS names no folder with 'hdri' in it";
+  const auto files = files_of(folder, kEnvironments);
+  EXPECT_FALSE(files.empty());
+  for (const fs::path& file : files) {
+    SCOPED_TRACE(file.string());
+    RenderRequest request = linear_request(64, 64);
+    request.environment = file.string();
+    expect_picture(picture_of(Scene::load("builtin:spheres"), request));
+  }
 }
 
 }  // namespace
