@@ -99,6 +99,7 @@ TEST(Background, WithoutEnvironmentIsBlackAndOpaque) {
 
 TEST(Unlit, EveryCodeComesThroughTheLinearCurve) {
   std::vector<glm::vec4> stripes;
+  stripes.reserve(256);
   for (int i = 0; i < 256; ++i) stripes.push_back(from_codes(glm::vec3(i, 255 - i, i / 2)));
   const Scene scene = unlit_wall(stripes);
   RenderRequest request = head_on(display_request(512, 256));  // the wall is twice as wide as high
