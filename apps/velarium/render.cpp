@@ -59,6 +59,7 @@ void Render::declare(CLI::App& verb) {
                [this](const std::string& text) { output_ = text; }});
   add_view_flags(*flags_, view_);
   flags_->add_option("--spp", "N", "frame.spp");
+  flags_->add_option("--sync", "normal|paranoid", "frame.sync");
   flags_->add({"--timings", "FILE|-", "write what each pass took, as JSON",
                [this](const std::string& text) { timings_ = text; }});
   flags_->add(

@@ -169,6 +169,14 @@ class NoDevice(CliTest):
         self.expect(NO_DEVICE, "bench", env=NO_DRIVERS)
         self.assertEqual(self.names(), [])
 
+    def test_a_machine_without_a_loader(self):
+        # Found first, and no library: as good as none installed.
+        for name in ("libvulkan.so.1", "libvulkan.so"):
+            self.write(name, "not a library")
+        without = {"LD_LIBRARY_PATH": str(self.folder)}
+        self.expect(NO_DEVICE, "render", env=without, says="install libvulkan1")
+        self.expect(NO_DEVICE, "devices", env=without, says="install libvulkan1")
+
     def test_info_needs_no_device(self):
         self.write("a.gltf", triangle_gltf())
         self.expect(OK, "info", "a.gltf", env=NO_DRIVERS)
