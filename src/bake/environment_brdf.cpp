@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -15,10 +16,13 @@ namespace velarium::bake {
 namespace {
 
 // To be raised with every change of what environment_brdf() returns.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 // Leaves an error of 6e-4, held by tests/unit/bake/environment_brdf.cpp.
 constexpr std::uint32_t kRings = 48;
+
+// In place of n.v = 0, where the lobe's sampling is not defined.
+constexpr float kGrazing = 1e-3f;
 
 }  // namespace
 
@@ -46,13 +50,14 @@ glm::vec2 integrate_environment_brdf(float n_dot_v, float alpha, std::uint32_t m
 }
 
 std::vector<glm::vec2> environment_brdf(std::uint32_t size, std::uint32_t model) {
-  VEL_ASSERT(size > 0);
+  VEL_ASSERT(size > 1);
   std::vector<glm::vec2> table(std::size_t{size} * size);
-  const float texel = 1.0f / static_cast<float>(size);
+  const float step = 1.0f / static_cast<float>(size - 1);
   parallel_for(size, [&](std::size_t y) {
-    const float alpha = shading::alpha_from_smoothness((static_cast<float>(y) + 0.5f) * texel);
+    const float alpha = shading::alpha_from_smoothness(static_cast<float>(y) * step);
     for (std::size_t x = 0; x < size; ++x) {
-      table[y * size + x] = integrate_environment_brdf((static_cast<float>(x) + 0.5f) * texel, alpha, model, kRings);
+      const float n_dot_v = std::max(static_cast<float>(x) * step, kGrazing);
+      table[y * size + x] = integrate_environment_brdf(n_dot_v, alpha, model, kRings);
     }
   });
   return table;

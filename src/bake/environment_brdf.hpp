@@ -8,9 +8,9 @@
 namespace velarium::bake {
 
 // Directional albedo of the specular lobe [Lazarov 2013; Karis 2013]: (E0, E1), for f0 = 0 and f0 = 1 with f90 = 1, as
-// environment_specular() of shading/brdf.glsl reads it. size x size texels, columns n.v, rows smoothness, both at texel
-// centres (i + 1/2) / size: read it with linear filtering, clamped to the edge.
-// model: shading::kModelGltf or kModelRyse, so that environments and lights agree. size >= 1. Within 1e-3 of the
+// environment_specular() of shading/brdf.glsl reads it. size x size texels, columns n.v, rows smoothness, texel i
+// standing for i / (size - 1), so that both ends are exact: read it with linear filtering at environment_brdf_uv().
+// model: shading::kModelGltf or kModelRyse, so that environments and lights agree. size >= 2. Within 1e-3 of the
 // integral.
 [[nodiscard]] std::vector<glm::vec2> environment_brdf(std::uint32_t size, std::uint32_t model);
 

@@ -1,5 +1,7 @@
 #include "frame/dump.hpp"
 
+#include "core/assert.hpp"
+
 #include <velarium/error.hpp>
 #include <velarium/options.hpp>
 
@@ -7,6 +9,7 @@
 #include <fmt/ranges.h>
 #include <glm/gtc/packing.hpp>
 
+#include <algorithm>
 #include <cstring>
 
 namespace velarium::frame {
@@ -76,15 +79,20 @@ void record_copy(VkCommandBuffer commands, const gpu::Image& image, VkBuffer to)
 
 }  // namespace
 
-DumpedImage dump_image(gpu::Device& device, graph::Executor& executor, const std::string& name) {
-  gpu::Image* image = executor.find_image(name);
-  if (image == nullptr) {
-    const auto names = executor.image_names();
-    const auto near = nearest_name(name, names);
+void check_dump_names(const graph::Executor& executor, const std::vector<std::string>& names) {
+  const auto known = executor.image_names();
+  for (const auto& name : names) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const auto near = nearest_name(name, known);
     throw Error(ErrorCode::usage,
                 fmt::format("no image '{}' to dump{}; there are {}", name,
-                            near.empty() ? "" : ", did you mean '" + near + "'?", fmt::join(names, ", ")));
+                            near.empty() ? "" : ", did you mean '" + near + "'?", fmt::join(known, ", ")));
   }
+}
+
+DumpedImage dump_image(gpu::Device& device, graph::Executor& executor, const std::string& name) {
+  gpu::Image* image = executor.find_image(name);
+  VEL_ASSERT(image != nullptr);
   const auto& desc = image->desc();
   const std::size_t pixels = std::size_t{desc.width} * desc.height, bytes = texel_bytes(desc.format);
   const gpu::Buffer staging(device, pixels * bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::MemoryUse::readback);

@@ -128,6 +128,7 @@ void Renderer::run_frames(const Job& job, const FrameInputs& inputs, upload::Fra
     add_frame(graph, frame);
     executor_.run(graph, settings.frame.sync == Sync::paranoid);
     timings.add_frame(executor_.timings());
+    if (i == 0) check_dump_names(executor_, job.request.dumps);
     if (job.request.on_frame) job.request.on_frame(i + 1, count);
   }
   timings.write(report);

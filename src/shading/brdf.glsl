@@ -38,6 +38,11 @@ FN vec3 evaluate_brdf(IN(Surface) s, float alpha, vec3 wo, vec3 wi, vec3 specula
   return (diffused + specular) * n_dot_l;
 }
 
+// Where a table of size x size texels, whose outermost texels stand for 0 and 1, is read for (n.v, smoothness).
+FN vec2 environment_brdf_uv(float n_dot_v, float smoothness, float size) {
+  return (vec2(n_dot_v, smoothness) * (size - 1.0f) + vec2(0.5f)) / size;
+}
+
 // env_brdf: (E0, E1), directional albedo of the specular lobe for f0 = 0 and f0 = 1 (with f90 = 1), read from the table
 // of src/bake at (n.v, smoothness) [Lazarov 2013; Karis 2013].
 

@@ -35,7 +35,8 @@ ShadingPoint shading_point(Surface surface, vec3 position_ws, vec3 wo) {
   p.wo = wo;
   p.alpha = alpha_from_smoothness(surface.smoothness);
   float n_dot_v = clamp(abs(dot(surface.normal_ws, wo)), 0.0, 1.0);
-  p.env_brdf = textureLod(environment_brdf_table, vec2(n_dot_v, surface.smoothness), 0.0).rg;
+  float size = float(textureSize(environment_brdf_table, 0).x);
+  p.env_brdf = textureLod(environment_brdf_table, environment_brdf_uv(n_dot_v, surface.smoothness, size), 0.0).rg;
   p.specular_scale = kMultiScatter != 0u ? energy_compensation(surface.f0, p.env_brdf) : vec3(1.0);
   return p;
 }

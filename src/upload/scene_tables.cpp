@@ -64,7 +64,8 @@ SceneTables make_scene_tables(gpu::Device& device, const GpuScene& scene, const 
 
 void set_camera(FrameUniforms& frame, const ViewMatrices& view, glm::uvec2 size, glm::vec2 jitter) {
   glm::mat4 projection = view.clip_from_view;
-  const glm::vec2 shift = 2.0f * jitter / glm::vec2(size);
+  // To sample at +jitter from the pixel's centre, the picture moves the other way.
+  const glm::vec2 shift = -2.0f * jitter / glm::vec2(size);
   for (int column = 0; column < 4; ++column) {
     projection[column][0] += shift.x * projection[column][3];
     projection[column][1] += shift.y * projection[column][3];

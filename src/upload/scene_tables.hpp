@@ -18,7 +18,8 @@ struct ViewMatrices {
 [[nodiscard]] SceneTables make_scene_tables(gpu::Device& device, const GpuScene& scene, const scene::Moment& moment,
                                             const ViewMatrices& view, bool punctual_lights);
 
-// The parts of FrameUniforms that follow from the camera; `jitter` in pixels.
+// The parts of FrameUniforms that follow from the camera; `jitter`: offset of the sampled point from
+// the pixel's centre, in pixels.
 void set_camera(FrameUniforms& frame, const ViewMatrices& view, glm::uvec2 size, glm::vec2 jitter);
 
 }  // namespace velarium::upload
