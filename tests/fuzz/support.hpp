@@ -1,0 +1,56 @@
+#pragma once
+
+#include "targets.hpp"
+
+#include <velarium/error.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace velarium::fuzz {
+
+// Runs `body`; an Error that blames the world is what it is there for.
+template <class Body>
+void expect_orderly(const Body& body) {
+  try {
+    body();
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::internal) throw;
+  }
+}
+
+inline std::string_view text_of(Bytes input) {
+  return {reinterpret_cast<const char*>(input.data()), input.size()};
+}
+
+// A folder with one file of the input in it, gone at the end of the program. In memory where the system has a place
+// for that, because a fuzzer writes thousands of files a second.
+class InputFile {
+ public:
+  explicit InputFile(const char* name) {
+    const std::filesystem::path memory = "/dev/shm";
+    const auto parent = std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
+    std::string pattern = (parent / "velarium-fuzz-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder in " + parent.string());
+    folder_ = pattern;
+    file_ = folder_ / name;
+  }
+  ~InputFile() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  const std::filesystem::path& write(Bytes input) const {
+    std::ofstream(file_, std::ios::binary) << text_of(input);
+    return file_;
+  }
+
+ private:
+  std::filesystem::path folder_, file_;
+};
+
+}  // namespace velarium::fuzz
