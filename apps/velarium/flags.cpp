@@ -59,8 +59,9 @@ void Flags::add(Flag flag) {
   flags_.push_back(std::move(flag));
 }
 
-void Flags::add_option(const std::string& name, const std::string& value_name, const std::string& key) {
-  add({name, value_name, option_help(key),
+void Flags::add_option(const std::string& name, const std::string& key, const std::string& value_name) {
+  const std::string choices = fmt::format("{}", fmt::join(find_option(key).choices, "|"));
+  add({name, value_name.empty() ? choices : value_name, option_help(key),
        [this, key](const std::string& value) { set_option(settings_, key, value); }});
 }
 

@@ -29,8 +29,8 @@ class Flags {
   Flags& operator=(const Flags&) = delete;
 
   void add(Flag flag);
-  // A flag that sets one option of the table, which gives its help, range and default.
-  void add_option(const std::string& name, const std::string& value_name, const std::string& key);
+  // A flag that sets one option of the table, which gives its help, range and default; choices also name the value.
+  void add_option(const std::string& name, const std::string& key, const std::string& value_name = {});
 
   // Calls the setters. Throws Error(usage), and what read_config() throws.
   void apply();

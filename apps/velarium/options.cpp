@@ -1,10 +1,13 @@
 #include "verbs.hpp"
 
 #include "console.hpp"
+#include "man_page.hpp"
 
 #include <velarium/options.hpp>
 
 #include <fmt/core.h>
+
+#include <memory>
 
 namespace velarium::app {
 namespace {
@@ -38,7 +41,10 @@ std::string options_as_markdown() {
 }  // namespace
 
 void add_options(CLI::App& app) {
-  add_verb(app, "options", "print the table of options, as Markdown", [] { print(options_as_markdown()); });
+  const auto man = std::make_shared<bool>(false);
+  CLI::App& verb = add_verb(app, "options", "print the table of options, as Markdown",
+                            [man, &app] { print(*man ? man_page(app) : options_as_markdown()); });
+  verb.add_flag("--man", *man, "print the manual page of the whole program instead, for man(1)");
 }
 
 }  // namespace velarium::app

@@ -58,8 +58,8 @@ void Render::declare(CLI::App& verb) {
   flags_->add({"--output,-o", "FILE", "the picture: .png .jpg .webp .exr .hdr [the scene's name, .png]",
                [this](const std::string& text) { output_ = text; }});
   add_view_flags(*flags_, view_);
-  flags_->add_option("--spp", "N", "frame.spp");
-  flags_->add_option("--sync", "normal|paranoid", "frame.sync");
+  flags_->add_option("--spp", "frame.spp", "N");
+  flags_->add_option("--sync", "frame.sync");
   flags_->add({"--timings", "FILE|-", "write what each pass took, as JSON",
                [this](const std::string& text) { timings_ = text; }});
   flags_->add(

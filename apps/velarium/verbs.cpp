@@ -19,7 +19,9 @@ std::vector<std::string> flag_names(const CLI::App& verb) {
 }
 
 void refuse_unknown(const CLI::App& verb) {
-  const std::vector<std::string> rest = verb.remaining();
+  std::vector<std::string> rest = verb.remaining();
+  // The parser leaves the mark after which words are no flags.
+  rest.erase(std::remove(rest.begin(), rest.end(), "--"), rest.end());
   if (rest.empty()) return;
   const auto flag =
       std::find_if(rest.begin(), rest.end(), [](const std::string& text) { return text.starts_with('-'); });

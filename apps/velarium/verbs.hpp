@@ -13,6 +13,7 @@ void add_info(CLI::App& app);
 void add_devices(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_options(CLI::App& app);
+void add_completion(CLI::App& app);
 
 // A verb whose unknown arguments are an Error(usage) that names the nearest known flag.
 CLI::App& add_verb(CLI::App& app, const std::string& name, const std::string& help, std::function<void()> run);

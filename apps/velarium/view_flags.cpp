@@ -48,8 +48,8 @@ void add_light_flags(Flags& flags, View& view) {
   flags.add({"--env", "FILE|studio|white|none",
              "light from far away: .hdr or .exr [studio where the scene has no light]",
              [&request](const std::string& text) { request.environment = text; }});
-  flags.add_option("--env-rotate", "DEGREES", "environment.rotation");
-  flags.add_option("--env-intensity", "X", "environment.intensity");
+  flags.add_option("--env-rotate", "environment.rotation", "DEGREES");
+  flags.add_option("--env-intensity", "environment.intensity", "X");
   flags.add({"--background", "env|transparent|#rrggbb", "what is seen behind the scene [env]",
              [&request](const std::string& text) { set_background(request, text); }});
 }
@@ -66,7 +66,7 @@ void add_display_flags(Flags& flags, View& view) {
                set_option(settings, "display.ev100", text);
                set_option(settings, "display.exposure_mode", "ev100");
              }});
-  flags.add_option("--tonemap", "NAME", "display.tonemap");
+  flags.add_option("--tonemap", "display.tonemap");
 }
 
 }  // namespace
