@@ -44,7 +44,7 @@ std::optional<std::array<float, 3>> background_color(const RenderRequest& reques
 }
 
 // What of the frame does not change between the frames of a picture.
-upload::FrameUniforms picture_uniforms(const Job& job, std::uint32_t light_count) {
+upload::FrameUniforms picture_uniforms(const Job& job, const upload::LightRanges& lights) {
   const auto& settings = job.request.settings;
   upload::FrameUniforms u{};
   const float turn = glm::radians(settings.environment.rotation);
@@ -53,7 +53,9 @@ upload::FrameUniforms picture_uniforms(const Job& job, std::uint32_t light_count
   // Without an environment to show, the background of that name is black and opaque.
   if (job.request.background == Background::environment) u.background = {0.0f, 0.0f, 0.0f, 1.0f};
   if (job.environment != nullptr) std::copy(job.environment->sh.begin(), job.environment->sh.end(), u.sh);
-  u.light_count = light_count;
+  u.first_point = lights.first_point;
+  u.first_spot = lights.first_spot;
+  u.light_count = lights.count;
   u.seed = static_cast<std::uint32_t>(settings.frame.seed);
   return u;
 }
@@ -103,7 +105,7 @@ RenderResult Renderer::render(const Job& job) {
                            .height = request.height,
                            .settings = request.settings};
   RenderResult result;
-  run_frames(job, inputs, picture_uniforms(job, scene.light_count), view, result.report);
+  run_frames(job, inputs, picture_uniforms(job, scene.light_ranges), view, result.report);
   for (const auto& name : request.dumps) result.dumps.push_back(dump_image(tools_.device, executor_, name));
   read_picture(job, result);
   result.report.device_bytes = tools_.device.memory().peak_bytes();

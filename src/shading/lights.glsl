@@ -37,24 +37,37 @@ FN bool is_spot(IN(GpuLight) l) {
   return l.direction.w > 0.5f * (kLightPoint + kLightSpot);
 }
 
-// The light that arrives at `position` (world axes, relative to the eye), shadows aside.
-FN LightSample sample_light(IN(GpuLight) l, vec3 position) {
-  vec3 axis = vec3(l.direction.x, l.direction.y, l.direction.z);
-  vec3 color = vec3(l.color.x, l.color.y, l.color.z);
+// The light that arrives at `position` (world axes, relative to the eye), shadows aside, from a light of each kind.
+// Shaders loop over one kind after the other, so that no light pays for what another kind needs.
+FN LightSample sample_directional(IN(GpuLight) l) {
   LightSample result;
-  if (is_directional(l)) {
-    result.wi = -axis;
-    result.irradiance = color;
-    return result;
-  }
+  result.wi = -vec3(l.direction.x, l.direction.y, l.direction.z);
+  result.irradiance = vec3(l.color.x, l.color.y, l.color.z);
+  return result;
+}
+
+FN LightSample sample_point(IN(GpuLight) l, vec3 position) {
   vec3 to_light = vec3(l.position_range.x, l.position_range.y, l.position_range.z) - position;
   float distance = length(to_light);
+  LightSample result;
   // At the light itself every direction is as good.
   result.wi = distance > 0.0f ? to_light / distance : vec3(0.0f, 1.0f, 0.0f);
-  float attenuation = range_attenuation(distance, l.position_range.w);
-  if (is_spot(l)) attenuation *= spot_attenuation(-dot(axis, result.wi), vec2(l.cone.x, l.cone.y));
-  result.irradiance = color * attenuation;
+  result.irradiance = vec3(l.color.x, l.color.y, l.color.z) * range_attenuation(distance, l.position_range.w);
   return result;
+}
+
+FN LightSample sample_spot(IN(GpuLight) l, vec3 position) {
+  LightSample result = sample_point(l, position);
+  float cosine = -dot(vec3(l.direction.x, l.direction.y, l.direction.z), result.wi);
+  result.irradiance *= spot_attenuation(cosine, vec2(l.cone.x, l.cone.y));
+  return result;
+}
+
+// Of any kind.
+FN LightSample sample_light(IN(GpuLight) l, vec3 position) {
+  if (is_directional(l)) return sample_directional(l);
+  if (is_spot(l)) return sample_spot(l, position);
+  return sample_point(l, position);
 }
 
 // The distance at and beyond which the light gives exactly nothing; kUnboundedRadius where there is none.

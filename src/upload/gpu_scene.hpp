@@ -3,6 +3,7 @@
 #include "gpu/toolbox.hpp"
 #include "scene/moment.hpp"
 #include "upload/draws.hpp"
+#include "upload/lights.hpp"
 #include "upload/textures.hpp"
 #include "upload/vertices.hpp"
 
@@ -55,7 +56,7 @@ struct SceneTables {
   gpu::Buffer objects;       // ObjectData
   gpu::Buffer lights;        // GpuLight
   gpu::Buffer light_bounds;  // view space spheres
-  std::uint32_t light_count = 0;
+  LightRanges light_ranges;
   gpu::Buffer frame;  // FrameUniforms, mapped: rewritten before each frame
   float texture_lod_bias = 0.0f;
   float anisotropy = 1.0f;

@@ -16,14 +16,19 @@ struct FrameUniforms {
   vec4 background;        // rgb linear, premultiplied by the coverage a; where the environment is not shown
   vec4 environment;       // x: intensity, y z: cosine and sine of its rotation about +Y, w: 1 where it is the background
   vec4 sh[9];             // rgb: coefficients of the environment's radiance (intensity left out)
-  uint light_count;
+  uint first_point;       // lights are sorted by kind: directional ones, then points from here,
+  uint first_spot;        // then spots from here,
+  uint light_count;       // to here
   uint frame_index;
   uint seed;
   float perspective;      // 1: perspective, 0: orthographic
+  uint unused0;
+  uint unused1;
 };
 CHECK_LAYOUT(FrameUniforms, ndc_to_view, 128);
 CHECK_LAYOUT(FrameUniforms, sh, 208);
-CHECK_LAYOUT(FrameUniforms, light_count, 352);
+CHECK_LAYOUT(FrameUniforms, first_point, 352);
+CHECK_LAYOUT(FrameUniforms, perspective, 372);
 
 // One instance of a primitive. Its index is gl_InstanceIndex.
 struct ObjectData {

@@ -1,5 +1,6 @@
 #include "upload/lights.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace velarium::upload {
@@ -35,7 +36,18 @@ std::vector<GpuLight> gpu_lights(const std::vector<scene::LightInstance>& lights
                       .color = glm::vec4(light.color * light.intensity, 0.0f),
                       .cone = {cone.x, cone.y, std::cos(light.outer_cone), 0.0f}});
   }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const GpuLight& a, const GpuLight& b) { return a.direction.w < b.direction.w; });
   return result;
+}
+
+LightRanges light_ranges(const std::vector<GpuLight>& lights) {
+  const auto begin_of = [&](float kind) {
+    const auto first = std::partition_point(lights.begin(), lights.end(),
+                                            [&](const GpuLight& light) { return light.direction.w < kind; });
+    return static_cast<std::uint32_t>(first - lights.begin());
+  };
+  return {begin_of(shading::kLightPoint), begin_of(shading::kLightSpot), static_cast<std::uint32_t>(lights.size())};
 }
 
 std::vector<glm::vec4> light_bounds(const std::vector<GpuLight>& lights, const glm::mat3& view_from_world) {

@@ -7,8 +7,16 @@
 
 namespace velarium::upload {
 
-// Lights as shaders read them, relative to the eye, in the order of the scene.
+// Where each kind begins in a table of lights.
+struct LightRanges {
+  std::uint32_t first_point = 0, first_spot = 0, count = 0;
+};
+
+// Lights as shaders read them, relative to the eye: directional ones, then points, then spots, each in the order of the
+// scene.
 [[nodiscard]] std::vector<GpuLight> gpu_lights(const std::vector<scene::LightInstance>& lights, const glm::dvec3& eye);
+
+[[nodiscard]] LightRanges light_ranges(const std::vector<GpuLight>& lights);
 
 // A sphere around everything that each light reaches, in view space: xyz centre, w radius.
 [[nodiscard]] std::vector<glm::vec4> light_bounds(const std::vector<GpuLight>& lights,

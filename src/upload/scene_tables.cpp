@@ -55,7 +55,7 @@ SceneTables make_scene_tables(gpu::Device& device, const GpuScene& scene, const 
   if (lights.size() > kMaxLights)
     throw Error(ErrorCode::unsupported, scene.scene().source,
                 fmt::format("{} lights shine; a picture takes {} at most", lights.size(), kMaxLights));
-  tables.light_count = static_cast<std::uint32_t>(lights.size());
+  tables.light_ranges = light_ranges(lights);
   tables.light_bounds = make_buffer(device, light_bounds(lights, view.view_from_world), kStorage);
   tables.lights = make_buffer(device, lights, kStorage);
   tables.frame = gpu::Buffer(device, sizeof(FrameUniforms), kStorage, gpu::MemoryUse::upload);

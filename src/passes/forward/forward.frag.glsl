@@ -20,18 +20,11 @@ layout(location = 0) out vec4 out_hdr;   // premultiplied
 
 const float kMaxRadiance = 65504.0;      // of the half floats that the picture is kept in
 
-vec3 punctual_lights(ShadingPoint p) {
+uint tile_light_word(uint word) {
   uint words = (frame.light_count + 31u) / 32u;
   uint tiles_x = (uint(frame.size.x) + kTileSize - 1u) / kTileSize;
   uvec2 tile = uvec2(gl_FragCoord.xy) / kTileSize;
-  uint base = (tile.y * tiles_x + tile.x) * words;
-  vec3 sum = vec3(0.0);
-  for (uint word = 0u; word < words; ++word) {
-    for (uint bits = forward_lists[base + word]; bits != 0u; bits &= bits - 1u) {
-      sum += punctual_light(p, word * 32u + uint(findLSB(bits)));
-    }
-  }
-  return sum;
+  return forward_lists[(tile.y * tiles_x + tile.x) * words + word];
 }
 
 vec3 shade(FragmentInput f, vec3 base_color) {
@@ -39,7 +32,7 @@ vec3 shade(FragmentInput f, vec3 base_color) {
   vec3 wo = frame.perspective > 0.5 ? -normalize(in_position_ws) : wo_ortho;
   ShadingPoint p = shading_point(material_surface(f, base_color), in_position_ws, wo);
   vec3 light = material_emissive(f) + environment_light(p, frame);
-  if (kLights != 0u) light += punctual_lights(p);
+  if (kLights != 0u) light += punctual_lights(p, frame);
   return light;
 }
 

@@ -9,7 +9,8 @@
 #include "shading/tile_culling.glsl"
 #include "upload/gpu_structs.glsl"
 
-layout(local_size_x = 16, local_size_y = 16) in;   // kTileSize
+// Threads that share a tile, a divisor of its 256 pixels: see lighting.cpp.
+layout(local_size_x_id = 9) in;
 
 layout(set = 0, binding = 0, std430) readonly buffer FrameBuffer { FrameUniforms frame; };
 layout(set = 0, binding = 1) uniform sampler2D rt0;
@@ -41,38 +42,68 @@ bool light_reaches(TileVolume tile, uint index) {
   return (depth_mask_range(depth - bounds.w, depth + bounds.w, tile.z_min, tile.z_max) & tile_depth_mask) != 0u;
 }
 
-void find_tile_lights(bool covered, float depth) {
+const uint kTilePixels = kTileSize * kTileSize;
+
+uvec2 tile_pixel(uint i) {
+  return gl_WorkGroupID.xy * kTileSize + uvec2(i % kTileSize, i / kTileSize);
+}
+
+// View depth, or 0 where nothing was drawn.
+float depth_at(uvec2 pixel) {
+  if (any(greaterThanEqual(vec2(pixel), frame.size.xy))) return 0.0;
+  float device_depth = texelFetch(depth_map, ivec2(pixel), 0).r;
+  return device_depth > 0.0 ? view_depth(device_depth, frame.depth_params) : 0.0;
+}
+
+// The tile's depth range, and which of 32 slices of it hold a surface.
+void find_tile_depths() {
   uint thread = gl_LocalInvocationIndex;
-  uint words = (frame.light_count + 31u) / 32u;
   if (thread == 0u) {
     tile_min = 0x7f7fffffu;
     tile_max = 0u;
     tile_depth_mask = 0u;
   }
-  for (uint i = thread; i < words; i += 256u) tile_lights[i] = 0u;
   barrier();
-  if (covered) {
-    atomicMin(tile_min, floatBitsToUint(depth));
-    atomicMax(tile_max, floatBitsToUint(depth));
+  float nearest = uintBitsToFloat(0x7f7fffffu), farthest = 0.0;
+  for (uint i = thread; i < kTilePixels; i += gl_WorkGroupSize.x) {
+    float depth = depth_at(tile_pixel(i));
+    if (depth > 0.0) {
+      nearest = min(nearest, depth);
+      farthest = max(farthest, depth);
+    }
   }
+  atomicMin(tile_min, floatBitsToUint(nearest));
+  atomicMax(tile_max, floatBitsToUint(farthest));
+  barrier();
+  uint slices = 0u;
+  for (uint i = thread; i < kTilePixels; i += gl_WorkGroupSize.x) {
+    float depth = depth_at(tile_pixel(i));
+    if (depth > 0.0) slices |= depth_mask_bit(depth, uintBitsToFloat(tile_min), uintBitsToFloat(tile_max));
+  }
+  atomicOr(tile_depth_mask, slices);
+}
+
+void find_tile_lights() {
+  uint thread = gl_LocalInvocationIndex;
+  uint words = (frame.light_count + 31u) / 32u;
+  for (uint i = thread; i < words; i += gl_WorkGroupSize.x) tile_lights[i] = 0u;
+  find_tile_depths();
   barrier();
   float z_min = uintBitsToFloat(tile_min), z_max = uintBitsToFloat(tile_max);
   bool empty = tile_max == 0u;
-  if (covered) atomicOr(tile_depth_mask, depth_mask_bit(depth, z_min, z_max));
-  barrier();
 
   vec2 corner = vec2(gl_WorkGroupID.xy * kTileSize);
   vec2 ndc_min = corner * frame.size.zw * 2.0 - 1.0;
   vec2 ndc_max = (corner + float(kTileSize)) * frame.size.zw * 2.0 - 1.0;
   TileVolume tile = tile_volume(ndc_min, ndc_max, empty ? 0.0 : z_min, z_max, frame.ndc_to_view, frame.perspective);
-  for (uint i = thread; i < frame.light_count && !empty; i += 256u)
+  for (uint i = thread; i < frame.light_count && !empty; i += gl_WorkGroupSize.x)
     if (light_reaches(tile, i)) atomicOr(tile_lights[i / 32u], 1u << (i % 32u));
 
   if (kForwardLists != 0u) {
     // Transparent surfaces stand before everything, and before the sky at any depth.
     TileVolume before = tile_volume(ndc_min, ndc_max, 0.0, kUnboundedRadius, frame.ndc_to_view, frame.perspective);
     uint base = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * words;
-    for (uint word = thread; word < words; word += 256u) {
+    for (uint word = thread; word < words; word += gl_WorkGroupSize.x) {
       uint bits = 0u;
       for (uint bit = 0u; bit < 32u && word * 32u + bit < frame.light_count; ++bit) {
         vec4 bounds = light_bounds[word * 32u + bit];
@@ -84,19 +115,8 @@ void find_tile_lights(bool covered, float depth) {
   barrier();
 }
 
-vec3 punctual_lights(ShadingPoint p) {
-  vec3 sum = vec3(0.0);
-  if (kTiled == 0u) {
-    for (uint i = 0u; i < frame.light_count; ++i) sum += punctual_light(p, i);
-    return sum;
-  }
-  uint words = (frame.light_count + 31u) / 32u;
-  for (uint word = 0u; word < words; ++word) {
-    for (uint bits = tile_lights[word]; bits != 0u; bits &= bits - 1u) {
-      sum += punctual_light(p, word * 32u + uint(findLSB(bits)));
-    }
-  }
-  return sum;
+uint tile_light_word(uint word) {
+  return kTiled != 0u ? tile_lights[word] : 0xffffffffu;
 }
 
 vec4 background(vec2 ndc) {
@@ -109,17 +129,11 @@ vec4 background(vec2 ndc) {
   return vec4(min(textureLod(background_map, uv, 0.0).rgb * frame.environment.x, kMaxRadiance), 1.0);
 }
 
-void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  bool inside = all(lessThan(vec2(pixel), frame.size.xy));
-  float device_depth = inside ? texelFetch(depth_map, pixel, 0).r : 0.0;
-  bool covered = device_depth > 0.0;
-  float depth = covered ? view_depth(device_depth, frame.depth_params) : 0.0;
-  if (kLights != 0u && (kTiled != 0u || kForwardLists != 0u)) find_tile_lights(covered, depth);
-  if (!inside) return;
-
+void shade(uvec2 at) {
+  ivec2 pixel = ivec2(at);
   vec2 ndc = (vec2(pixel) + 0.5) * frame.size.zw * 2.0 - 1.0;
-  if (!covered) {
+  float depth = depth_at(at);
+  if (depth == 0.0) {
     imageStore(hdr, pixel, background(ndc));
     return;
   }
@@ -134,6 +148,14 @@ void main() {
       shading_point(gbuffer_decode(texel, material_class), world_from_view * position_vs, world_from_view * wo_vs);
 
   vec3 light = imageLoad(hdr, pixel).rgb + environment_light(p, frame);
-  if (kLights != 0u) light += punctual_lights(p);
+  if (kLights != 0u) light += punctual_lights(p, frame);
   imageStore(hdr, pixel, vec4(min(light, kMaxRadiance), 1.0));
+}
+
+void main() {
+  if (kLights != 0u && (kTiled != 0u || kForwardLists != 0u)) find_tile_lights();
+  for (uint i = gl_LocalInvocationIndex; i < kTilePixels; i += gl_WorkGroupSize.x) {
+    uvec2 pixel = tile_pixel(i);
+    if (all(lessThan(vec2(pixel), frame.size.xy))) shade(pixel);
+  }
 }

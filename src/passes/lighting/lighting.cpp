@@ -15,6 +15,11 @@ constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_N
 // The azimuth wraps around.
 constexpr gpu::SamplerDesc kEquirect{.wrap_u = VK_SAMPLER_ADDRESS_MODE_REPEAT};
 
+// Threads that share a tile. A software driver keeps each thread's state at each barrier, so that there few threads
+// with many pixels each are faster; the picture is the same.
+constexpr std::uint32_t kThreads = 128;
+constexpr std::uint32_t kThreadsOnHost = 16;
+
 VkDeviceSize list_bytes(const gpu::ImageDesc& size, std::uint32_t light_count) {
   const auto tiles = [](std::uint32_t pixels) { return (pixels + upload::kTileSize - 1) / upload::kTileSize; };
   return VkDeviceSize{4} * tiles(size.width) * tiles(size.height) * ((light_count + 31) / 32);
@@ -32,19 +37,21 @@ gpu::Specialization shading_constants(const Settings& settings, const Environmen
 }
 
 Outputs add(graph::Graph& graph, const Inputs& in, const Settings& settings) {
-  const bool lists = !in.scene.draws.blended.empty() && in.scene.light_count > 0;
+  const bool lists = !in.scene.draws.blended.empty() && in.scene.light_ranges.count > 0;
   auto& pass = graph.pass("lighting");
   for (const auto image : {in.rt0, in.rt1, in.rt2, in.depth}) pass.read(image, Access::compute_sample);
   Outputs out{.hdr = pass.write(in.hdr, Access::compute_storage)};
   const auto size = graph.desc(in.hdr);
-  const auto list_buffer = pass.write(graph.buffer("forward_lists", lists ? list_bytes(size, in.scene.light_count) : 4),
+  const auto list_buffer = pass.write(graph.buffer("forward_lists", lists ? list_bytes(size, in.scene.light_ranges.count) : 4),
                                       Access::compute_storage);
   if (lists) out.forward_lists = list_buffer;
 
   auto constants = shading_constants(settings, in.environment);
-  constants.insert(constants.end(), {settings.tiled ? 1u : 0u, lists ? 1u : 0u, in.scene.light_count > 0 ? 1u : 0u});
+  constants.insert(constants.end(), {settings.tiled ? 1u : 0u, lists ? 1u : 0u, in.scene.light_ranges.count > 0 ? 1u : 0u});
   pass.run([in, out, list_buffer, size, constants](graph::Context& c) {
-    const auto& pipeline = c.tools().pipelines.compute(kShader, constants);
+    auto with_threads = constants;
+    with_threads.push_back(c.tools().device.caps().host_is_device ? kThreadsOnHost : kThreads);
+    const auto& pipeline = c.tools().pipelines.compute(kShader, with_threads);
     c.bind(pipeline);
     c.set(pipeline, 0)
         .buffer(0, in.scene.frame)
