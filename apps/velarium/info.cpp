@@ -53,6 +53,7 @@ nlohmann::ordered_json json_of_info(const SceneInfo& info) {
   for (const auto& l : info.lights) {
     json["lights"].push_back({{"name", l.name}, {"kind", l.kind}, {"color", l.color}, {"intensity", l.intensity}});
   }
+  json["variants"] = info.variants;
   json["extensions_used"] = info.extensions_used;
   json["extensions_required"] = info.extensions_required;
   json["warnings"] = info.warnings;
@@ -88,6 +89,9 @@ std::string text_of_info(const SceneInfo& info) {
     const SceneInfo::Animation& animation = info.animations[i];
     add_row(text, fmt::format("animation {}", i),
             fmt::format("'{}', {:g} s, {} channels", animation.name, animation.duration_s, animation.channels));
+  }
+  for (std::size_t i = 0; i < info.variants.size(); ++i) {
+    add_row(text, fmt::format("variant {}", i), fmt::format("'{}'", info.variants[i]));
   }
   add_row(text, "uses", fmt::format("{}", fmt::join(info.extensions_used, ", ")));
   add_row(text, "requires", fmt::format("{}", fmt::join(info.extensions_required, ", ")));

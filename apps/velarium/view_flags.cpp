@@ -80,6 +80,8 @@ void add_view_flags(Flags& flags, View& view) {
              [&request](const std::string& text) { request.time_s = parse_number(text); }});
   flags.add({"--animation", "NAME|INDEX|all", "which animation plays [the first]",
              [&request](const std::string& text) { request.animation = text; }});
+  flags.add({"--variant", "NAME|INDEX|none", "a variant of the scene's materials [none]",
+             [&view](const std::string& text) { view.load.variant = text; }});
   flags.add({"--device", "NAME|INDEX|cpu", "which device renders; part of a name will do [the best]",
              [&view](const std::string& text) { view.engine.device = text; }});
   flags.add({"--validation", "", "check the use of Vulkan; every message is an error",

@@ -16,6 +16,7 @@ struct Scene;
 
 struct LoadOptions {
   bool allow_outside_files = false;  // may a scene name files outside its own folder?
+  std::string variant;               // of the materials: a name or index; "none" or empty: the usual ones
 };
 
 // What `velarium info` tells.
@@ -31,13 +32,15 @@ struct SceneInfo {
   std::vector<Camera> cameras;    // as instanced in the scene, at time 0
   std::vector<Light> lights;      // as instanced in the scene, at time 0
   std::array<float, 3> bounds_min{}, bounds_max{};   // metres, world space, at time 0
+  std::vector<std::string> variants;                 // that LoadOptions::variant can name
   std::vector<std::string> extensions_used, extensions_required, warnings;
 };
 
 // A loaded scene. Immutable, cheap to copy, and may be shared between threads and engines.
 class Scene {
  public:
-  // A .gltf or .glb file, or "builtin:NAME". Throws Error(input_missing, input_invalid, unsupported).
+  // A .gltf or .glb file, or "builtin:NAME". Throws Error(input_missing, input_invalid, unsupported), and
+  // Error(usage) that lists the variants where LoadOptions::variant is not among them.
   [[nodiscard]] static Scene load(const std::filesystem::path& file, const LoadOptions& options = {});
   [[nodiscard]] static std::vector<std::string> builtin_names();
 

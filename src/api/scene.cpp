@@ -5,6 +5,8 @@
 #include "scene/moment.hpp"
 #include "scene/scene.hpp"
 
+#include <velarium/error.hpp>
+
 namespace velarium {
 namespace {
 
@@ -74,10 +76,12 @@ void count_moment(const scene::Scene& scene, SceneInfo& info) {
 
 Scene Scene::load(const std::filesystem::path& file, const LoadOptions& options) {
   const std::string name = file.string();
-  if (name.starts_with(kBuiltinPrefix))
+  if (name.starts_with(kBuiltinPrefix)) {
+    if (!options.variant.empty()) throw Error(ErrorCode::usage, name, "a built-in scene has no variants");
     return Scene(std::make_shared<scene::Scene>(scene::builtin_scene(name.substr(kBuiltinPrefix.size()))));
-  return Scene(
-      std::make_shared<scene::Scene>(scene::read_gltf(file, {.allow_outside_files = options.allow_outside_files})));
+  }
+  return Scene(std::make_shared<scene::Scene>(
+      scene::read_gltf(file, {.allow_outside_files = options.allow_outside_files, .variant = options.variant})));
 }
 
 std::vector<std::string> Scene::builtin_names() {
@@ -88,6 +92,7 @@ SceneInfo Scene::info() const {
   SceneInfo info{.source = tables_->source, .generator = tables_->generator};
   count_tables(*tables_, info);
   count_moment(*tables_, info);
+  info.variants = tables_->variants;
   info.extensions_used = tables_->extensions_used;
   info.extensions_required = tables_->extensions_required;
   info.warnings = tables_->warnings;

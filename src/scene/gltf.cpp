@@ -59,6 +59,7 @@ Scene read_gltf(const std::filesystem::path& file, const GltfOptions& options) {
   gltf::read_asset(context);
   gltf::read_extension_lists(context);
   gltf::read_extensions(context, context.root, &gltf::Extension::document);
+  gltf::choose_variant(context);
   const gltf::Buffers buffers(context.root, container, options);
   gltf::Accessors accessors(context.root, buffers, options.limits);
   gltf::read_textures(context);
@@ -66,6 +67,7 @@ Scene read_gltf(const std::filesystem::path& file, const GltfOptions& options) {
   gltf::read_cameras(context);
   gltf::read_meshes(context, accessors);
   gltf::read_nodes(context);
+  gltf::read_node_instances(context, accessors);
   gltf::read_skins(context, accessors);
   gltf::check_instances(context);
   gltf::read_scenes(context);

@@ -8,6 +8,7 @@
 #include "scene/scene.hpp"
 
 #include <filesystem>
+#include <string>
 
 namespace velarium::scene {
 
@@ -24,6 +25,7 @@ struct GltfLimits {                           // checked before anything of that
 
 struct GltfOptions {
   bool allow_outside_files = false;  // may URIs leave the file's folder?
+  std::string variant;               // KHR_materials_variants: a name or index; "none" or empty: the usual materials
   GltfLimits limits;
 };
 
@@ -31,7 +33,8 @@ struct GltfOptions {
 // shows, and the other textures have none. Primitives that draw nothing (no positions, too few vertices) are left out.
 //
 // Throws Error(input_missing), Error(input_invalid) with a JSON pointer and reason,
-// or Error(unsupported) that names the required extensions that are not supported.
+// Error(unsupported) that names the required extensions that are not supported,
+// or Error(usage) that lists the variants where the one asked for is not among them.
 [[nodiscard]] Scene read_gltf(const std::filesystem::path& file, const GltfOptions& options = {});
 
 }  // namespace velarium::scene

@@ -6,6 +6,7 @@
 #include "scene/gltf_json.hpp"
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -19,6 +20,7 @@ struct Context {
   const GltfOptions& options;
   Scene& scene;  // the tables read so far
   std::set<std::string, std::less<>> extensions_used{};
+  std::optional<std::uint32_t> variant{};  // the one that materials are chosen for
 
   [[nodiscard]] bool uses(std::string_view extension) const { return extensions_used.contains(extension); }
 };
@@ -29,7 +31,9 @@ struct Extension {
   std::string_view name;
   void (*document)(Context&, const Value& extension) = nullptr;
   void (*texture_ref)(Context&, const Value& extension, TextureRef&) = nullptr;
+  void (*texture)(Context&, const Value& extension, Texture&) = nullptr;
   void (*material)(Context&, const Value& extension, Material&) = nullptr;
+  void (*primitive)(Context&, const Value& extension, Primitive&) = nullptr;
   void (*node)(Context&, const Value& extension, Node&) = nullptr;
 };
 
@@ -55,10 +59,13 @@ void read_extensions(Context& context, const Value& owner, void (*Extension::*ho
 // The hooks, each beside what it extends.
 void read_lights_punctual(Context&, const Value& extension);
 void read_node_light(Context&, const Value& extension, Node&);
+void read_webp_source(Context&, const Value& extension, Texture&);
 void read_texture_transform(Context&, const Value& extension, TextureRef&);
 void read_unlit(Context&, const Value& extension, Material&);
 void read_emissive_strength(Context&, const Value& extension, Material&);
 void read_ior(Context&, const Value& extension, Material&);
 void read_specular(Context&, const Value& extension, Material&);
+void read_variants(Context&, const Value& extension);
+void read_variant_material(Context&, const Value& extension, Primitive&);
 
 }  // namespace velarium::scene::gltf

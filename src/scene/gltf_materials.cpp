@@ -127,6 +127,7 @@ void read_textures(Context& context) {
     const auto sampler = value["sampler"].reference_or_none(static_cast<std::uint32_t>(samplers.size()), "samplers");
     if (sampler != kNone) texture.sampler = samplers[static_cast<std::size_t>(sampler)];
     texture.image = value["source"].reference_or_none(image_count, "images");
+    read_extensions(context, value, &Extension::texture, texture);
   }
 }
 
@@ -150,6 +151,12 @@ void read_materials(Context& context) {
   for (const Value& value : context.root["materials"].elements()) {
     context.scene.materials.push_back(read_material(context, value));
   }
+}
+
+// The image of `source` beside it is for readers that have no WebP.
+void read_webp_source(Context& context, const Value& extension, Texture& texture) {
+  const Value source = extension["source"];
+  if (source) texture.image = source.reference_or_none(context.root["images"].size(), "images");
 }
 
 void read_texture_transform(Context&, const Value& extension, TextureRef& ref) {

@@ -68,6 +68,7 @@ std::optional<Primitive> read_primitive(Context& context, Accessors& accessors, 
     value.warn("has no positions; it is left out");
     return std::nullopt;
   }
+  read_extensions(context, value, &Extension::primitive, primitive);
   read_attributes(context, accessors, value, primitive);
   read_morph_targets(context, accessors, value, primitive);
   supply_missing_uv(context, accessors, value, primitive);

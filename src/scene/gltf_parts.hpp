@@ -15,6 +15,9 @@ namespace velarium::scene::gltf {
 // asset: version 2.x, minVersion at most 2.0. Throws Error(unsupported) for other versions.
 void read_asset(Context& context);
 
+// Finds options.variant among those of the file. Throws Error(usage) that lists them where it is not there.
+void choose_variant(Context& context);
+
 // textures with their samplers; materials with their extensions. Images are left for read_images().
 void read_textures(Context& context);
 void read_materials(Context& context);
@@ -33,8 +36,9 @@ void complete_primitives(Scene& scene);
 // How many morph targets the primitives of a mesh have.
 [[nodiscard]] std::uint32_t morph_target_count(const Context& context, std::uint32_t mesh);
 
-// Nodes as a forest, skins, and the roots of the scene that is shown.
+// Nodes as a forest, the copies of their meshes, skins, and the roots of the scene that is shown.
 void read_nodes(Context& context);
+void read_node_instances(Context& context, Accessors& accessors);
 void read_skins(Context& context, Accessors& accessors);
 void read_scenes(Context& context);
 // What nodes, meshes and skins must agree about.

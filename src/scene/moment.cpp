@@ -14,10 +14,13 @@
 namespace velarium::scene {
 namespace {
 
+glm::mat4 matrix_of(const glm::vec3& translation, const glm::quat& rotation, const glm::vec3& scale) {
+  return glm::scale(glm::translate(glm::mat4(1.0f), translation) * glm::mat4_cast(rotation), scale);
+}
+
 glm::mat4 parent_from_node(const Node& node, const Pose& pose) {
   if (node.matrix) return *node.matrix;
-  const glm::mat4 rotated = glm::translate(glm::mat4(1.0f), pose.translation) * glm::mat4_cast(pose.rotation);
-  return glm::scale(rotated, pose.scale);
+  return matrix_of(pose.translation, pose.rotation, pose.scale);
 }
 
 // Of every node, shown or not: a skin may follow joints outside the scene that is shown.
@@ -113,6 +116,18 @@ class MomentBuilder {
         instance.world_from_object = glm::mat4(1.0f);
         instance.mirrored = is_mirrored(joints.front());
       }
+      add_instances(node, instance);
+    }
+  }
+
+  // The copies share what deforms them.
+  void add_instances(const Node& node, Instance instance) {
+    if (node.instances.empty()) moment_.instances.push_back(instance);
+    const glm::mat4 world_from_node = instance.world_from_object;
+    for (const Placement& placement : node.instances) {
+      instance.world_from_object =
+          world_from_node * matrix_of(placement.translation, placement.rotation, placement.scale);
+      instance.mirrored = is_mirrored(instance.world_from_object);
       moment_.instances.push_back(instance);
     }
   }

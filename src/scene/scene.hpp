@@ -127,6 +127,13 @@ struct Mesh {
 
 // --- the node tree ----------------------------------------------------------------------------------------------
 
+// EXT_mesh_gpu_instancing: where a copy of a node's mesh stands in the space of the node.
+struct Placement {
+  glm::vec3 translation{0.0f};
+  glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+  glm::vec3 scale{1.0f};
+};
+
 struct Node {
   std::string name;
   std::int32_t parent = kNone;
@@ -137,6 +144,7 @@ struct Node {
   std::optional<glm::mat4> matrix;  // instead of the three above; such a node is never animated
   std::int32_t mesh = kNone, skin = kNone, camera = kNone, light = kNone;
   std::vector<float> weights;       // morph weights; empty: the mesh's
+  std::vector<Placement> instances; // of the mesh; empty: one, at the node itself
 };
 
 struct Skin {
@@ -205,6 +213,7 @@ struct Scene {
   std::vector<Camera> cameras;
   std::vector<Light> lights;
   std::vector<Animation> animations;
+  std::vector<std::string> variants;   // KHR_materials_variants; primitives have the materials of the one asked for
   std::vector<std::string> extensions_used, extensions_required;
   std::vector<std::string> warnings;
 };
