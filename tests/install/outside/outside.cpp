@@ -1,0 +1,84 @@
+// A program of someone else: usage: outside SCENE.gltf. Exits with 0 where everything held, 77 where no device can
+// render.
+#include <velarium/velarium.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+
+void expect(bool held, const char* what) {
+  if (held) return;
+  std::fprintf(stderr, "does not hold: %s\n", what);
+  std::exit(1);
+}
+
+// A public function that the library forgot to export does not link.
+void use_what_needs_no_device() {
+  velarium::set_log_sink([](velarium::LogLevel, std::string_view) {});
+  velarium::Settings settings;
+  velarium::set_option(settings, "frame.spp", "2");
+  expect(velarium::get_option(settings, "frame.spp") == "2", "options are set");
+  expect(!velarium::option_range(velarium::option_table().front()).empty(), "options have ranges");
+  expect(!velarium::option_group_help("frame").empty(), "groups have help");
+  const std::vector<std::string> names = velarium::Scene::builtin_names();
+  expect(velarium::nearest_name("sphere", names) == "spheres", "the nearest name is found");
+  expect(velarium::Picture::stores_linear("a.exr"), "EXR stores linear light");
+  velarium::Picture::check_destination("out.png");
+  velarium::check_writable("out.txt");
+  velarium::write_text("out.txt", "text");
+  velarium::remove_unfinished_files();
+}
+
+void catch_errors() {
+  try {
+    (void)velarium::Scene::load("absent.gltf");
+    expect(false, "an absent file throws");
+  } catch (const velarium::Error& error) {
+    expect(error.code() == velarium::ErrorCode::input_missing, "the code says that the file is missing");
+    expect(error.file() == "absent.gltf", "the error names the file");
+  }
+}
+
+velarium::RenderRequest request_of(std::uint32_t width, std::uint32_t height, float eye_z) {
+  velarium::RenderRequest request{.width = width, .height = height};
+  request.look_at = velarium::LookAt{.eye = {0, 0, eye_z}};
+  request.settings.frame.spp = 1;
+  return request;
+}
+
+void render_pictures(const velarium::Scene& scene) {
+  velarium::Engine engine;
+  const velarium::Picture near = engine.picture(scene, request_of(64, 32, 3));
+  const velarium::Picture far = engine.picture(scene, request_of(64, 32, 9));
+  const velarium::Picture other = engine.render(scene, request_of(40, 50, 3)).picture;
+  expect(near.linear.size() == 64 * 32 * 4 && near.display.size() == 64 * 32 * 4, "64 x 32 pixels arrive");
+  expect(other.display.size() == 40 * 50 * 4, "the same engine renders another size");
+  expect(near.linear != far.linear, "a camera that moves sees something else");
+  near.save("out.png");
+
+  velarium::Engine second;
+  const velarium::Scene spheres = velarium::Scene::load("builtin:spheres");
+  expect(second.picture(spheres, request_of(64, 32, 9)).linear != far.linear, "scenes differ");
+  expect(second.picture(scene, request_of(64, 32, 3)).display == near.display, "two engines make equal bytes");
+  second = std::move(engine);
+  expect(second.picture(scene, request_of(64, 32, 3)).display == near.display, "an engine may be moved");
+}
+
+bool can_render() {
+  for (const velarium::DeviceInfo& device : velarium::list_devices()) {
+    if (device.usable) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+int main(int, char** arguments) {
+  use_what_needs_no_device();
+  catch_errors();
+  const velarium::Scene scene = velarium::Scene::load(arguments[1]);
+  expect(scene.info().triangles > 0, "the scene has triangles");
+  if (!can_render()) return 77;
+  render_pictures(scene);
+}
