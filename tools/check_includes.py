@@ -42,6 +42,7 @@ LIBRARIES = {
     "OpenEXR/": {"image"},
     "Imath/": {"image"},
     "Imf": {"image"},
+    "meshoptimizer.h": {"scene"},
     "nlohmann/": {"scene", "apps"},
     "toml++/": {"apps"},
     "CLI/": {"apps"},

@@ -1,5 +1,6 @@
 #include "scene/gltf_buffers.hpp"
 
+#include "scene/gltf_meshopt.hpp"
 #include "scene/gltf_uri.hpp"
 
 #include <fmt/core.h>
@@ -29,7 +30,7 @@ void Buffers::read_buffer(const Value& buffer, std::uint32_t index, const Contai
     owned_.push_back(load_uri(uri, options, bytes_left_));
     bytes = owned_.back();
     bytes_left_ -= bytes.size();
-  } else if (index == 0 && container.binary) {
+  } else if (index == 0 && container.binary && !is_meshopt_fallback(buffer)) {
     bytes = *container.binary;
   } else {
     buffers_.push_back({nullptr, length});
@@ -41,7 +42,8 @@ void Buffers::read_buffer(const Value& buffer, std::uint32_t index, const Contai
   buffers_.push_back({bytes.data(), length});
 }
 
-void Buffers::read_view(const Value& view) {
+// Of a view, or of the extension's object in it, which says it alike.
+Buffers::Range Buffers::read_range(const Value& view) const {
   const Value reference = view.require("buffer");
   const std::uint32_t index = reference.reference(static_cast<std::uint32_t>(buffers_.size()), "buffers");
   const Buffer& buffer = buffers_[index];
@@ -54,14 +56,33 @@ void Buffers::read_view(const Value& view) {
     view["byteLength"].fail(fmt::format("bytes {} to {} do not fit /buffers/{} of {} bytes", offset, offset + length,
                                         index, buffer.length));
   }
+  return {buffer.data ? buffer.data + offset : nullptr, offset, length};
+}
+
+void Buffers::read_view(const Value& view) {
+  const Range range = read_range(view);
   BufferView& added = views_.emplace_back();
-  added.data = buffer.data ? buffer.data + offset : nullptr;
-  added.length = length;
-  added.offset = offset;
+  added.data = range.data;
+  added.length = range.length;
+  added.offset = range.offset;
   if (const Value stride = view["byteStride"]) {
     added.stride = static_cast<std::uint32_t>(stride.integer(kMinStride, kMaxStride));
     if (*added.stride % 4 != 0) stride.fail(fmt::format("is {}, must be a multiple of 4", *added.stride));
   }
+  if (const Value compressed = meshopt_extension(view)) decompress(compressed, added);
+}
+
+void Buffers::decompress(const Value& extension, BufferView& view) {
+  const Range compressed = read_range(extension);
+  const MeshoptView layout = read_meshopt_view(extension, view.length);
+  if (view.stride && *view.stride != layout.stride) {
+    extension["byteStride"].fail(fmt::format("is {}, but the view's own is {}", layout.stride, *view.stride));
+  }
+  if (!compressed.data) extension["buffer"].fail("has no data");
+  if (view.length > bytes_left_) extension.fail("with it, the scene exceeds the limit of bytes in all");
+  owned_.push_back(decode_meshopt(layout, {compressed.data, compressed.length}));
+  bytes_left_ -= view.length;
+  view.data = owned_.back().data();
 }
 
 const BufferView& Buffers::view(const Value& reference) const {

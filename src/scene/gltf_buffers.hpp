@@ -21,7 +21,7 @@ struct BufferView {
 
 class Buffers {
  public:
-  // Reads every buffer and checks every view against its buffer. `container` must outlive the result.
+  // Reads every buffer, checks every view against its buffer, and decompresses those of EXT_meshopt_compression. `container` must outlive the result.
   // A buffer may lack data, as a fallback that an extension replaces does: that is an error where it is used.
   Buffers(Value root, const Container& container, const GltfOptions& options);
 
@@ -31,8 +31,14 @@ class Buffers {
  private:
   void read_buffer(const Value& buffer, std::uint32_t index, const Container& container, const GltfOptions& options);
   void read_view(const Value& view);
+  struct Range {
+    const std::byte* data = nullptr;  // null where the buffer has no data
+    std::uint64_t offset = 0, length = 0;
+  };
+  [[nodiscard]] Range read_range(const Value& view) const;
+  void decompress(const Value& extension, BufferView& view);
 
-  std::vector<std::vector<std::byte>> owned_;  // of buffers that are not the BIN chunk
+  std::vector<std::vector<std::byte>> owned_;  // of buffers that are not the BIN chunk, and of decompressed views
   struct Buffer {
     const std::byte* data = nullptr;
     std::uint64_t length = 0;

@@ -14,6 +14,7 @@ namespace {
 // A later extension is a row here, and its hooks beside what they extend.
 constexpr std::array kExtensions = {
     Extension{.name = "EXT_mesh_gpu_instancing"},  // read_node_instances() reads it: it needs accessors
+    Extension{.name = "EXT_meshopt_compression"},  // Buffers reads it, under both names
     Extension{.name = "EXT_texture_webp", .texture = read_webp_source},
     Extension{.name = "KHR_lights_punctual", .document = read_lights_punctual, .node = read_node_light},
     Extension{.name = "KHR_materials_emissive_strength", .material = read_emissive_strength},
@@ -22,7 +23,10 @@ constexpr std::array kExtensions = {
     Extension{.name = "KHR_materials_unlit", .material = read_unlit},
     Extension{.name = "KHR_materials_variants", .document = read_variants, .primitive = read_variant_material},
     Extension{.name = "KHR_mesh_quantization"},  // adds no object: attribute formats ask Context::uses()
+    Extension{.name = "KHR_meshopt_compression"},
     Extension{.name = "KHR_texture_transform", .texture_ref = read_texture_transform},
+    // After the other extensions of materials, which it overrides; KHR_materials_unlit overrides it.
+    Extension{.name = "KHR_materials_pbrSpecularGlossiness", .material = read_specular_glossiness},
 };
 
 bool is_supported(std::string_view name) {

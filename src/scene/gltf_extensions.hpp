@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace velarium::scene::gltf {
 
@@ -20,6 +21,8 @@ struct Context {
   const GltfOptions& options;
   Scene& scene;  // the tables read so far
   std::set<std::string, std::less<>> extensions_used{};
+  // Textures after those of the file show roughness that we make of the glossiness in their image, times these factors.
+  std::vector<float> glossiness_factors{};
   std::optional<std::uint32_t> variant{};  // the one that materials are chosen for
 
   [[nodiscard]] bool uses(std::string_view extension) const { return extensions_used.contains(extension); }
@@ -65,6 +68,7 @@ void read_unlit(Context&, const Value& extension, Material&);
 void read_emissive_strength(Context&, const Value& extension, Material&);
 void read_ior(Context&, const Value& extension, Material&);
 void read_specular(Context&, const Value& extension, Material&);
+void read_specular_glossiness(Context&, const Value& extension, Material&);
 void read_variants(Context&, const Value& extension);
 void read_variant_material(Context&, const Value& extension, Primitive&);
 

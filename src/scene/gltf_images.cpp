@@ -8,6 +8,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
 
 namespace velarium::scene::gltf {
 
@@ -45,7 +48,8 @@ std::vector<bool> textures_in_use(const Scene& scene) {
 // The encoded bytes of an image: a view, or its own copy.
 struct Source {
   Value image;
-  std::uint32_t index = 0;  // in /images
+  std::uint32_t index = 0;          // in /images
+  std::optional<float> glossiness;  // the factor, where it is read as roughness
   std::vector<std::byte> owned;
   std::span<const std::byte> bytes;
 };
@@ -86,7 +90,8 @@ std::vector<Source> assign_images(Context& context, const Buffers& buffers) {
   const Value list = context.root["images"];
   for (const Value& image : list.elements()) check_image(image, buffers);
   const std::vector<bool> used = textures_in_use(scene);
-  std::vector<std::int32_t> place(list.size(), kNone);  // in the table, of each element of /images
+  const std::uint32_t texture_count = context.root["textures"].size();
+  std::map<std::pair<std::uint32_t, std::optional<float>>, std::int32_t> places;  // in the table
   std::vector<Source> sources;
   for (std::uint32_t i = 0; i < scene.textures.size(); ++i) {
     std::int32_t& image = scene.textures[i].image;
@@ -94,16 +99,17 @@ std::vector<Source> assign_images(Context& context, const Buffers& buffers) {
       image = kNone;
       continue;
     }
+    const bool own = i >= texture_count;
+    if (image == kNone && own) continue;  // the texture that it was made of has the warning
     if (image == kNone) {
       context.root["textures"].at(i).warn("has no image that can be read; it is white");
       continue;
     }
     const auto index = static_cast<std::uint32_t>(image);
-    if (place[index] == kNone) {
-      place[index] = static_cast<std::int32_t>(sources.size());
-      sources.push_back({list.at(index), index, {}, {}});
-    }
-    image = place[index];
+    const auto glossiness = own ? std::optional(context.glossiness_factors[i - texture_count]) : std::nullopt;
+    const auto [place, added] = places.emplace(std::pair(index, glossiness), static_cast<std::int32_t>(sources.size()));
+    if (added) sources.push_back({list.at(index), index, glossiness, {}, {}});
+    image = place->second;
   }
   return sources;
 }
@@ -140,6 +146,7 @@ void read_images(Context& context, const Buffers& buffers) {
     image.width = decoded.width;
     image.height = decoded.height;
     image.rgba = std::move(decoded.rgba);
+    if (sources[i].glossiness) glossiness_to_roughness(*sources[i].glossiness, image.rgba);
   });
 }
 

@@ -134,7 +134,7 @@ void read_textures(Context& context) {
 TextureRef read_texture_ref(Context& context, const Value& value) {
   TextureRef ref;
   if (!value) return ref;
-  const auto count = static_cast<std::uint32_t>(context.scene.textures.size());
+  const std::uint32_t count = context.root["textures"].size();  // ours, which follow, are out of the file's reach
   ref.texture = static_cast<std::int32_t>(value.require("index").reference(count, "textures"));
   ref.uv_set = read_uv_set(value["texCoord"]);
   read_extensions(context, value, &Extension::texture_ref, ref);

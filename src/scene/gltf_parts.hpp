@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace velarium::scene::gltf {
 
@@ -23,6 +24,8 @@ void read_textures(Context& context);
 void read_materials(Context& context);
 // A textureInfo of a material; absent: no texture.
 [[nodiscard]] TextureRef read_texture_ref(Context& context, const Value& value);
+// Makes the G channel perceptual roughness, 1 - factor * A, and the others nothing.
+void glossiness_to_roughness(float factor, std::vector<std::uint8_t>& rgba);
 // Every use of a texture that a material can have, present or not.
 [[nodiscard]] std::array<const TextureRef*, 7> texture_refs(const Material& material);
 
