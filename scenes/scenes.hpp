@@ -16,4 +16,8 @@ namespace velarium::scene {
 // The Cornell box, ten times its measured size.
 [[nodiscard]] Scene cornell_scene();
 
+// A Roman courtyard at evening: columns, arches, painted walls, a pool, awnings, and the light of 24 torches and of the
+// environment "sky". Cameras "entrance", "pool" and "walk".
+[[nodiscard]] Scene atrium_scene();
+
 }  // namespace velarium::scene

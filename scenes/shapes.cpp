@@ -96,8 +96,17 @@ Node& SceneBuilder::add_node(const std::string& name, const glm::vec3& position)
   return node;
 }
 
-void SceneBuilder::place_mesh(std::uint32_t mesh, const glm::vec3& position) {
-  add_node(scene_.meshes[mesh].name, position).mesh = static_cast<std::int32_t>(mesh);
+std::int32_t SceneBuilder::add_texture(Image image, const Sampler& sampler) {
+  scene_.images.push_back(std::move(image));
+  scene_.textures.push_back({static_cast<std::int32_t>(scene_.images.size() - 1), sampler});
+  return static_cast<std::int32_t>(scene_.textures.size() - 1);
+}
+
+void SceneBuilder::place_mesh(std::uint32_t mesh, const glm::vec3& position, float yaw_rad, const glm::vec3& scale) {
+  Node& node = add_node(scene_.meshes[mesh].name, position);
+  node.mesh = static_cast<std::int32_t>(mesh);
+  node.rotation = glm::angleAxis(yaw_rad, glm::vec3(0.0f, 1.0f, 0.0f));
+  node.scale = scale;
 }
 
 void SceneBuilder::place_light(Light light, const glm::vec3& position, const glm::quat& rotation) {
@@ -107,8 +116,9 @@ void SceneBuilder::place_light(Light light, const glm::vec3& position, const glm
   scene_.lights.push_back(std::move(light));
 }
 
-void SceneBuilder::place_camera(float vertical_fov_rad, float aspect, const glm::vec3& eye, const glm::vec3& target) {
-  Node& node = add_node("camera", eye);
+void SceneBuilder::place_camera(float vertical_fov_rad, float aspect, const glm::vec3& eye, const glm::vec3& target,
+                                const std::string& name) {
+  Node& node = add_node(name, eye);
   node.rotation = glm::quatLookAt(glm::normalize(target - eye), glm::vec3(0.0f, 1.0f, 0.0f));
   node.camera = static_cast<std::int32_t>(scene_.cameras.size());
   Camera camera;

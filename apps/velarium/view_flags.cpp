@@ -45,7 +45,7 @@ void set_background(RenderRequest& request, const std::string& text) {
 
 void add_light_flags(Flags& flags, View& view) {
   RenderRequest& request = view.request;
-  flags.add({"--env", "FILE|studio|white|none",
+  flags.add({"--env", "FILE|studio|sky|white|none",
              "light from far away: .hdr or .exr [studio where the scene has no light]",
              [&request](const std::string& text) { request.environment = text; }});
   flags.add_option("--env-rotate", "environment.rotation", "DEGREES");

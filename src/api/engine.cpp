@@ -2,6 +2,7 @@
 
 #include <velarium/error.hpp>
 
+#include "bake/sky.hpp"
 #include "bake/studio.hpp"
 #include "frame/renderer.hpp"
 #include "image/image.hpp"
@@ -13,6 +14,7 @@ namespace velarium {
 namespace {
 
 constexpr const char* kStudio = "studio";
+constexpr const char* kSky = "sky";      // a clear evening
 constexpr const char* kWhite = "white";  // radiance 1 from everywhere: a furnace
 constexpr const char* kNone = "none";
 
@@ -81,6 +83,7 @@ struct Engine::State {
     if (name == kNone) return nullptr;
     if (environment && environment_name == name) return &*environment;
     const auto pixels = name == kStudio  ? bake::studio_environment()
+                        : name == kSky   ? bake::sky_environment()
                         : name == kWhite ? white_environment()
                                          : image::load_radiance(name);
     environment = bake::bake_environment(tools, pixels);

@@ -17,7 +17,8 @@ struct Entry {
   Scene (*make)();
 };
 
-constexpr std::array<Entry, 3> kEntries{{
+constexpr std::array<Entry, 4> kEntries{{
+    {"atrium", atrium_scene},
     {"spheres", spheres_scene},
     {"furnace", furnace_scene},
     {"cornell", cornell_scene},

@@ -1,0 +1,25 @@
+#pragma once
+
+// The parts of the atrium, one .cpp each. A mesh that is placed several times is lit by the sky as its first placement
+// is (atrium_daylight.hpp), so the first one is where most of them are alike.
+
+#include "scenes/atrium_plan.hpp"
+#include "scenes/shapes.hpp"
+
+namespace velarium::scene::atrium {
+
+void add_materials(SceneBuilder& builder);  // in the order of Stuff
+void add_columns(SceneBuilder& builder);
+void add_arches(SceneBuilder& builder);
+void add_walls(SceneBuilder& builder);
+void add_roof(SceneBuilder& builder);
+void add_floors(SceneBuilder& builder);
+void add_vessels(SceneBuilder& builder);
+void add_awnings(SceneBuilder& builder);
+void add_torches(SceneBuilder& builder);
+
+inline void place(SceneBuilder& builder, std::uint32_t mesh, const Spot& spot, float scale = 1.0f) {
+  builder.place_mesh(mesh, spot.position, spot.yaw, glm::vec3(scale));
+}
+
+}  // namespace velarium::scene::atrium
