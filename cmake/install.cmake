@@ -1,14 +1,20 @@
 # `cmake --install`: three components, which are also the three Debian packages.
 #   program: the binary, its manual page and completions      library: libvelarium.so      development: headers and such
-set(man_page ${PROJECT_BINARY_DIR}/velarium.1)
+find_program(GZIP gzip REQUIRED)
+set(man_page ${PROJECT_BINARY_DIR}/velarium.1.gz)
+set(changelog ${PROJECT_BINARY_DIR}/changelog.gz)
 set(completions "")
-add_custom_command(OUTPUT ${man_page} COMMAND velarium_app options --man > ${man_page} DEPENDS velarium_app VERBATIM)
+add_custom_command(OUTPUT ${man_page} DEPENDS velarium_app VERBATIM
+  COMMAND velarium_app options --man > ${PROJECT_BINARY_DIR}/velarium.1
+  COMMAND ${GZIP} -9nkf ${PROJECT_BINARY_DIR}/velarium.1)
+add_custom_command(OUTPUT ${changelog} COMMAND ${GZIP} -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md > ${changelog}
+  DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md VERBATIM)
 foreach(shell bash zsh fish)
   set(script ${PROJECT_BINARY_DIR}/completion.${shell})
   add_custom_command(OUTPUT ${script} COMMAND velarium_app completion ${shell} > ${script} DEPENDS velarium_app VERBATIM)
   list(APPEND completions ${script})
 endforeach()
-add_custom_target(shell_pages ALL DEPENDS ${man_page} ${completions})
+add_custom_target(shell_pages ALL DEPENDS ${man_page} ${changelog} ${completions})
 
 install(TARGETS velarium_app RUNTIME COMPONENT program)
 install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
@@ -41,5 +47,7 @@ foreach(owner "program:velarium" "library:libvelarium${PROJECT_VERSION_MAJOR}.${
   string(REPLACE ":" ";" owner ${owner})
   list(GET owner 0 component)
   list(GET owner 1 package)
-  install(FILES LICENSE RENAME copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
+  set(doc_folder ${CMAKE_INSTALL_DATADIR}/doc/${package})
+  install(FILES LICENSE RENAME copyright DESTINATION ${doc_folder} COMPONENT ${component})
+  install(FILES ${changelog} DESTINATION ${doc_folder} COMPONENT ${component})
 endforeach()

@@ -62,7 +62,7 @@ class Install(unittest.TestCase):
     def test_the_program_comes_with_its_pages(self):
         version = subprocess.run([self.prefix / "bin" / "velarium", "--version"], check=True, capture_output=True)
         self.assertTrue(version.stdout.startswith(b"velarium "))
-        for name in ("man/man1/velarium.1", "bash-completion/completions/velarium", "zsh/vendor-completions/_velarium",
+        for name in ("man/man1/velarium.1.gz", "bash-completion/completions/velarium", "zsh/vendor-completions/_velarium",
                      "fish/vendor_completions.d/velarium.fish"):
             self.assertGreater((self.prefix / "share" / name).stat().st_size, 100, name)
 
