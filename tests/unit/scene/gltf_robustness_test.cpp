@@ -13,6 +13,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
+void add_extensions(Model& model) {
+  model.root["extensionsUsed"] = {"EXT_mesh_gpu_instancing", "EXT_texture_webp", "KHR_materials_pbrSpecularGlossiness",
+                                  "KHR_materials_variants"};
+  model.root["extensions"]["KHR_materials_variants"]["variants"] = Json::parse(R"([{"name": "a"}, {"name": "b"}])");
+  model.primitive()["extensions"]["KHR_materials_variants"]["mappings"] =
+      Json::parse(R"([{"material": 1, "variants": [0, 1]}])");
+  model.root["materials"].push_back(Json::parse(R"({"extensions": {"KHR_materials_pbrSpecularGlossiness": {
+    "diffuseFactor": [1, 1, 1, 1], "glossinessFactor": 0.5, "specularGlossinessTexture": {"index": 0}}}})"));
+  model.root["textures"][0]["extensions"]["EXT_texture_webp"] = Json::object();
+  Json node = {{"mesh", 0}};
+  const int places = model.add<float>("VEC3", kFloat, 2, {0, 0, 0, 1, 1, 1});
+  const int turns = model.add<std::int8_t>("VEC4", kByte, 2, {0, 0, 0, 127, 0, 0, 127, 0}, true);
+  node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", places}, {"ROTATION", turns}};
+  model.root["nodes"].push_back(node);
+  model.root["scenes"][0]["nodes"].push_back(2);
+}
+
 // A model that uses most features, so that damage reaches most of the reader.
 std::string rich_model() {
   Model model = triangle();
@@ -36,6 +53,7 @@ std::string rich_model() {
   model.root["accessors"][0]["sparse"] = {{"count", 1},
                                           {"indices", {{"bufferView", index_view}, {"componentType", kUnsignedByte}}},
                                           {"values", {{"bufferView", value_view}}}};
+  add_extensions(model);
   model.root["animations"] = {{{"samplers", {{{"input", times}, {"output", values}}}},
                                {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "scale"}}}}}}}};
   return model.text();
@@ -46,6 +64,7 @@ void expect_orderly(const fs::path& file) {
   GltfOptions options;
   options.limits.elements = 1 << 16;
   options.limits.scene_elements = 1 << 20;
+  options.variant = "1";
   try {
     static_cast<void>(read_gltf(file, options));
   } catch (const Error& error) { EXPECT_NE(error.code(), ErrorCode::internal) << error.what(); }
