@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDefaultScene = "builtin:spheres";
+constexpr const char* kDefaultScene = "builtin:atrium";
 
 class Render {
  public:
@@ -92,7 +92,7 @@ void Render::run() {
   say_summary(result.report);
 }
 
-// "builtin:spheres" and "folder/spheres.gltf" become spheres.png in the current folder.
+// "builtin:atrium" and "folder/atrium.gltf" become atrium.png in the current folder.
 void Render::settle_output() {
   if (!output_.empty()) return;
   const std::size_t colon = scene_.starts_with("builtin:") ? scene_.find(':') + 1 : 0;

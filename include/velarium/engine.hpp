@@ -44,7 +44,7 @@ struct RenderRequest {
   std::uint32_t width = 1280, height = 720;
   std::string camera;               // name or index of a camera of the scene, "auto" (fits the scene), or empty: the first, else auto
   std::optional<LookAt> look_at;    // instead of `camera`
-  std::string environment;          // file, "studio", "none"; empty: studio where the scene has no light, else none
+  std::string environment;          // file, "studio", "sky", "none"; empty: studio where the scene has no light, else none
   Background background = Background::environment;
   std::array<float, 3> background_color{0, 0, 0};  // display values 0..1, sRGB-encoded
   float time_s = 0.0f;

@@ -41,10 +41,10 @@ def total(png):
 class Pictures(CliTest):
     def test_the_default_output_is_the_scenes_name(self):
         self.expect(OK, *SMALL)
-        self.assertEqual(self.names(), ["spheres.png"])
+        self.assertEqual(self.names(), ["atrium.png"])
         self.write("a.gltf", triangle_gltf())
         self.expect(OK, "a.gltf", *SMALL)
-        self.assertEqual(self.names(), ["a.gltf", "a.png", "spheres.png"])
+        self.assertEqual(self.names(), ["a.gltf", "a.png", "atrium.png"])
 
     def test_the_size_is_what_was_asked(self):
         width, height, channels, rows = read_png(self.render())
@@ -89,11 +89,11 @@ class Pictures(CliTest):
         self.assertEqual(tuple(rows[0][:3]), (0x33, 0x66, 0xcc))
 
     def test_quiet_says_nothing(self):
-        code, out, err = self.run_velarium("render", *SMALL, "-q", "-o", "a.png")
+        code, out, err = self.run_velarium("render", "builtin:spheres", *SMALL, "-q", "-o", "a.png")
         self.assertEqual((code, out, err), (OK, "", ""))
 
     def test_the_last_line_says_what_was_written(self):
-        out = self.expect(OK, "render", *SMALL, "-o", "a.png")
+        out = self.expect(OK, "render", "builtin:spheres", *SMALL, "-o", "a.png")
         self.assertRegex(out, r"^wrote a\.png: 48 x 32, [\d.]+ k?B, 1 frame of .* on .+\n$")
 
 
@@ -117,10 +117,10 @@ class Flags(CliTest):
             self.assertEqual(self.render(*flags).read_bytes(), base, flags)
 
     def test_cameras_animations_and_environments_that_are_not_there(self):
-        self.expect(USAGE, "render", *SMALL, "--camera", "nobody", says="nobody")
-        self.expect(USAGE, "render", *SMALL, "--animation", "nothing", says="nothing")
-        self.expect(MISSING, "render", *SMALL, "--env", "none.hdr", says="none.hdr")
-        self.expect(NO_DEVICE, "render", *SMALL, "--device", "abacus", says="abacus")
+        self.expect(USAGE, "render", "builtin:spheres", *SMALL, "--camera", "nobody", says="nobody")
+        self.expect(USAGE, "render", "builtin:spheres", *SMALL, "--animation", "nothing", says="nothing")
+        self.expect(MISSING, "render", "builtin:spheres", *SMALL, "--env", "none.hdr", says="none.hdr")
+        self.expect(NO_DEVICE, "render", "builtin:spheres", *SMALL, "--device", "abacus", says="abacus")
         self.assertEqual(self.names(), [])
 
     def test_cameras_by_name_and_index(self):
@@ -146,7 +146,7 @@ class Flags(CliTest):
         self.write("one.hdr", b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" + 2 * b"\x80\x80\x80\x81")
         self.assertEqual(self.render("--env", "one.hdr").read_bytes(), self.render("--env", "white").read_bytes())
         self.write("cut.hdr", b"#?RADIANCE\n")
-        self.expect(INVALID, "render", *SMALL, "--env", "cut.hdr", says="cut.hdr")
+        self.expect(INVALID, "render", "builtin:spheres", *SMALL, "--env", "cut.hdr", says="cut.hdr")
 
     def test_light_and_exposure(self):
         self.write("a.gltf", triangle_gltf(**LAMP))
@@ -156,9 +156,9 @@ class Flags(CliTest):
 
     def test_a_configuration_file_and_flags_after_it(self):
         self.write("c.toml", "[render]\nsize = '48x32'\noutput = 'c.png'\n[frame]\nspp = 1\n[display]\nexposure = 1\n")
-        self.expect(OK, "render", "--config", "c.toml")
+        self.expect(OK, "render", "builtin:spheres", "--config", "c.toml")
         self.assertEqual((self.folder / "c.png").read_bytes(), self.render("--exposure", "1").read_bytes())
-        self.expect(OK, "render", "--config", "c.toml", "--exposure", "0", "-o", "d.png")
+        self.expect(OK, "render", "builtin:spheres", "--config", "c.toml", "--exposure", "0", "-o", "d.png")
         self.assertEqual((self.folder / "d.png").read_bytes(), self.render().read_bytes())
 
 
@@ -174,28 +174,28 @@ class Reports(CliTest):
         self.assertGreater(timings["phases"]["render_ms"], 0)
 
     def test_timings_in_a_file_and_on_standard_output(self):
-        self.expect(OK, "render", *SMALL, "--spp", "3", "--timings", "t.json")
+        self.expect(OK, "render", "builtin:spheres", *SMALL, "--spp", "3", "--timings", "t.json")
         self.check_timings(json.loads((self.folder / "t.json").read_text()))
-        self.check_timings(json.loads(self.expect(OK, "render", *SMALL, "--spp", "3", "--timings", "-")))
+        self.check_timings(json.loads(self.expect(OK, "render", "builtin:spheres", *SMALL, "--spp", "3", "--timings", "-")))
 
     def test_dumps(self):
-        self.expect(OK, "render", *SMALL, "--dump", "gbuffer.depth=d.exr", "--dump", "gbuffer.rt0=n.png", "-o", "a.png")
+        self.expect(OK, "render", "builtin:spheres", *SMALL, "--dump", "gbuffer.depth=d.exr", "--dump", "gbuffer.rt0=n.png", "-o", "a.png")
         self.assertEqual(self.names(), ["a.png", "d.exr", "n.png"])
         self.assertEqual(read_png(self.folder / "n.png")[:2], (48, 32))
 
     def test_dumps_that_are_not_there(self):
-        self.expect(USAGE, "render", *SMALL, "--dump", "gbuffer.detph=d.png", says="gbuffer.depth")
+        self.expect(USAGE, "render", "builtin:spheres", *SMALL, "--dump", "gbuffer.detph=d.png", says="gbuffer.depth")
         self.assertEqual(self.names(), [])
 
     def test_progress(self):
-        _, _, err = self.run_velarium("render", *SMALL, "--spp", "3", "--progress", "json")
+        _, _, err = self.run_velarium("render", "builtin:spheres", *SMALL, "--spp", "3", "--progress", "json")
         lines = [json.loads(line) for line in err.splitlines() if line.startswith("{")]
         self.assertEqual([(line["frame"], line["of"]) for line in lines], [(1, 3), (2, 3), (3, 3)])
-        _, _, err = self.run_velarium("render", *SMALL, "--spp", "3", "--progress", "plain")
+        _, _, err = self.run_velarium("render", "builtin:spheres", *SMALL, "--spp", "3", "--progress", "plain")
         self.assertIn("frame 3 of 3", err)
-        _, _, err = self.run_velarium("render", *SMALL, "--spp", "3", "--progress", "bar")
+        _, _, err = self.run_velarium("render", "builtin:spheres", *SMALL, "--spp", "3", "--progress", "bar")
         self.assertIn("\x1b[K[##########....", err)
-        _, _, err = self.run_velarium("render", *SMALL, "--spp", "3", "--progress", "none")
+        _, _, err = self.run_velarium("render", "builtin:spheres", *SMALL, "--spp", "3", "--progress", "none")
         self.assertNotIn("frame", err)
 
     def test_devices(self):
