@@ -21,8 +21,9 @@ struct BufferView {
 
 class Buffers {
  public:
-  // Reads every buffer, checks every view against its buffer, and decompresses those of EXT_meshopt_compression. `container` must outlive the result.
-  // A buffer may lack data, as a fallback that an extension replaces does: that is an error where it is used.
+  // Reads every buffer, checks every view against its buffer, and decompresses those of EXT_meshopt_compression.
+  // `container` must outlive the result. A buffer may lack data, as a fallback that an extension replaces does: that is
+  // an error where it is used.
   Buffers(Value root, const Container& container, const GltfOptions& options);
 
   // The view that a JSON number refers to; throws at its pointer where there is none.
