@@ -1,5 +1,7 @@
 """Shell completion and the manual page: what they offer is what the program takes."""
 
+import os
+import pathlib
 import re
 import shutil
 import subprocess
@@ -52,15 +54,16 @@ class Scripts(CliTest):
     @unittest.skipUnless(shutil.which("bash"), "no bash")
     def test_bash_replaces_only_the_part_after_a_sign(self):
         # Outside a completion under way compopt is an error; what it sets does not matter here.
-        program = f"""
-            compopt() {{ :; }}
-            source <('{BINARY}' completion bash)
-            COMP_LINE="'{BINARY}' $1"; COMP_LINE=${{COMP_LINE//\\'/}} COMP_POINT=${{#COMP_LINE}}
-            _velarium; echo "${{COMPREPLY[*]}}" """
+        program = """
+            compopt() { :; }
+            source <(velarium completion bash)
+            COMP_LINE="velarium $1" COMP_POINT=$((9 + ${#1}))
+            _velarium; echo "${COMPREPLY[*]}" """
+        path = os.pathsep.join((str(pathlib.Path(BINARY).parent), os.environ["PATH"]))
         for line, expected in (("render -D display.tonemap=ag", "agx"), ("builtin:sph", "spheres"),
                                ("render --tonem", "--tonemap")):
             done = subprocess.run(["bash", "-c", program, "bash", line], cwd=self.folder, capture_output=True, text=True,
-                                  check=True)
+                                  check=True, env={**os.environ, "PATH": path})
             self.assertEqual(done.stdout.strip(), expected, done.stderr)
 
 
