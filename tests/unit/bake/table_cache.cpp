@@ -13,6 +13,7 @@
 #include "bake/environment_brdf.hpp"
 #include "bake/normal_lengths.hpp"
 #include "core/files.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace velarium::bake {
 namespace {
@@ -22,9 +23,6 @@ class TableCache : public testing::Test {
  protected:
   void SetUp() override {
     if (const char* before = std::getenv("XDG_CACHE_HOME")) before_ = before;
-    std::string name = (std::filesystem::temp_directory_path() / "velarium-cache-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    root_ = name;
     setenv("XDG_CACHE_HOME", root_.c_str(), 1);
   }
   void TearDown() override {
@@ -33,7 +31,6 @@ class TableCache : public testing::Test {
     } else {
       setenv("XDG_CACHE_HOME", before_.c_str(), 1);
     }
-    std::filesystem::remove_all(root_);
   }
 
   // Runs cached_table() and says whether it had to compute.
@@ -49,7 +46,8 @@ class TableCache : public testing::Test {
   static std::filesystem::path stored() { return cache_directory() / "numbers.bin"; }
 
  private:
-  std::filesystem::path root_;
+  test::TemporaryFolder temporary_;
+  const std::filesystem::path root_ = temporary_.path();
   std::string before_;
 };
 

@@ -1,4 +1,5 @@
 #include "core/files.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <velarium/error.hpp>
 
@@ -29,13 +30,6 @@ std::string text_of(const fs::path& file) {
 
 class Files : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "velarium-files-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   [[nodiscard]] std::size_t entries() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
@@ -47,7 +41,8 @@ class Files : public testing::Test {
     return ErrorCode::internal;
   }
 
-  fs::path folder_;
+  test::TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path();
 };
 
 TEST_F(Files, WhatIsWrittenIsReadAndNothingElseRemains) {

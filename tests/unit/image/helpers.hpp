@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <velarium/error.hpp>
 
@@ -51,19 +52,13 @@ void expect_refused(ErrorCode code, Call call) {
 // A folder that is gone after the test.
 class InFolder : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "velarium-image-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   fs::path put(const std::string& name, std::string_view content) const {
     std::ofstream(folder_ / name, std::ios::binary) << content;
     return folder_ / name;
   }
 
-  fs::path folder_;
+  test::TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path();
 };
 
 // Something of everything: gradients, noise, and an alpha that is not 1 where `opaque` is false.
