@@ -2,6 +2,7 @@
 
 #include "bake/environment_lobe.hpp"
 #include "bake/environment_transfer.hpp"
+#include "gpu/barrier.hpp"
 #include "gpu/buffer.hpp"
 #include "shading/host.hpp"
 
@@ -62,15 +63,10 @@ class Recorder {
 
  private:
   void wait_for_stores() const {
-    const VkMemoryBarrier2 barrier{
-        .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-        .srcStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-        .srcAccessMask = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
-        .dstStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-        .dstAccessMask = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT};
-    const VkDependencyInfo dependency{
-        .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &barrier};
-    vkCmdPipelineBarrier2(commands_, &dependency);
+    constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    constexpr gpu::Scope kStored{kCompute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+    constexpr gpu::Scope kRead{kCompute, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_READ_BIT};
+    gpu::record(commands_, gpu::memory_barrier(kStored, kRead));
   }
 
   gpu::Toolbox& tools_;

@@ -1,6 +1,7 @@
 #include "bake/environment_transfer.hpp"
 
 #include "core/assert.hpp"
+#include "gpu/barrier.hpp"
 #include "gpu/buffer.hpp"
 
 #include <algorithm>
@@ -39,21 +40,7 @@ std::size_t half_image_bytes(const gpu::ImageDesc& desc) {
 }
 
 void change_layout(VkCommandBuffer commands, gpu::Image& image, VkImageLayout layout) {
-  const VkImageMemoryBarrier2 barrier{
-      .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-      .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-      .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
-      .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-      .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
-      .oldLayout = image.layout,
-      .newLayout = layout,
-      .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-      .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-      .image = image.vk(),
-      .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS}};
-  const VkDependencyInfo dependency{
-      .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .imageMemoryBarrierCount = 1, .pImageMemoryBarriers = &barrier};
-  vkCmdPipelineBarrier2(commands, &dependency);
+  gpu::record(commands, gpu::image_barrier(image, gpu::kAllWrites, gpu::kAllWork, {image.layout, layout}));
   image.layout = layout;
 }
 
@@ -81,14 +68,7 @@ void download_half_image(gpu::Device& device, gpu::Image& image, std::span<std::
   vkCmdCopyImageToBuffer(commands, image.vk(), image.layout, staging.vk(), static_cast<std::uint32_t>(copies.size()),
                          copies.data());
   change_layout(commands, image, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-  const VkMemoryBarrier2 to_host{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                                 .srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-                                 .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                                 .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
-                                 .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT};
-  const VkDependencyInfo dependency{
-      .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &to_host};
-  vkCmdPipelineBarrier2(commands, &dependency);
+  gpu::record(commands, gpu::memory_barrier(gpu::kTransferWrite, gpu::kHostRead));
   device.submit_and_wait(commands);
   std::memcpy(bytes.data(), staging.mapped().data(), bytes.size());
 }

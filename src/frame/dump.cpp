@@ -1,6 +1,7 @@
 #include "frame/dump.hpp"
 
 #include "core/assert.hpp"
+#include "gpu/barrier.hpp"
 
 #include <velarium/error.hpp>
 #include <velarium/options.hpp>
@@ -49,32 +50,12 @@ void widen(VkFormat format, const std::byte* texel, float* out) {
 
 void record_copy(VkCommandBuffer commands, const gpu::Image& image, VkBuffer to) {
   const auto aspect = gpu::has_depth(image.desc().format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
-  const VkImageMemoryBarrier2 barrier{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-                                      .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                                      .srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT,
-                                      .dstStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-                                      .dstAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT,
-                                      .oldLayout = image.layout,
-                                      .newLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                                      .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                      .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                      .image = image.vk(),
-                                      .subresourceRange = {gpu::aspects(image.desc().format), 0,
-                                                           VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS}};
-  const VkDependencyInfo dependency{
-      .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .imageMemoryBarrierCount = 1, .pImageMemoryBarriers = &barrier};
-  vkCmdPipelineBarrier2(commands, &dependency);
+  gpu::record(commands, gpu::image_barrier(image, gpu::kAllWrites, gpu::kTransferRead,
+                                           {image.layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}));
   const VkBufferImageCopy copy{.imageSubresource = {static_cast<VkImageAspectFlags>(aspect), 0, 0, 1},
                                .imageExtent = {image.desc().width, image.desc().height, 1}};
   vkCmdCopyImageToBuffer(commands, image.vk(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to, 1, &copy);
-  const VkMemoryBarrier2 host{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                              .srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-                              .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                              .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
-                              .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT};
-  const VkDependencyInfo to_host{
-      .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &host};
-  vkCmdPipelineBarrier2(commands, &to_host);
+  gpu::record(commands, gpu::memory_barrier(gpu::kTransferWrite, gpu::kHostRead));
 }
 
 }  // namespace

@@ -1,26 +1,11 @@
 #include "graph/executor.hpp"
 
+#include "gpu/barrier.hpp"
 #include "graph/context.hpp"
 
 #include <algorithm>
 
 namespace velarium::graph {
-namespace {
-
-void make_full(VkPipelineStageFlags2& src_stages, VkAccessFlags2& src_access, VkPipelineStageFlags2& dst_stages,
-               VkAccessFlags2& dst_access) {
-  src_stages = dst_stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-  src_access = dst_access = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
-}
-
-constexpr VkMemoryBarrier2 kFullBarrier{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                                        .srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                                        .srcAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT,
-                                        .dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                                        .dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT};
-
-}  // namespace
-
 void Executor::run(const Graph& graph, bool paranoid) {
   allocate(graph);
   tools_.descriptors.reset();
@@ -77,20 +62,9 @@ void Executor::barriers(VkCommandBuffer commands, const PlannedPass& planned, bo
   std::vector<VkImageMemoryBarrier2> images;
   for (const auto& b : planned.images) {
     const auto& image = *image_list_[b.index];
-    auto& barrier = images.emplace_back(
-        VkImageMemoryBarrier2{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-                              .srcStageMask = b.src_stages,
-                              .srcAccessMask = b.src_access,
-                              .dstStageMask = b.dst_stages,
-                              .dstAccessMask = b.dst_access,
-                              .oldLayout = b.old_layout,
-                              .newLayout = b.new_layout,
-                              .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                              .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                              .image = image.vk(),
-                              .subresourceRange = {gpu::aspects(image.desc().format), 0, VK_REMAINING_MIP_LEVELS, 0,
-                                                   VK_REMAINING_ARRAY_LAYERS}});
-    if (paranoid) make_full(barrier.srcStageMask, barrier.srcAccessMask, barrier.dstStageMask, barrier.dstAccessMask);
+    const auto before = paranoid ? gpu::kAllWork : gpu::Scope{b.src_stages, b.src_access};
+    const auto after = paranoid ? gpu::kAllWork : gpu::Scope{b.dst_stages, b.dst_access};
+    images.push_back(gpu::image_barrier(image, before, after, {b.old_layout, b.new_layout}));
   }
   std::vector<VkBufferMemoryBarrier2> buffers;
   for (const auto& b : planned.buffers)
@@ -104,9 +78,10 @@ void Executor::barriers(VkCommandBuffer commands, const PlannedPass& planned, bo
                        .buffer = buffer_list_[b.index]->vk(),
                        .size = VK_WHOLE_SIZE});
   if (!paranoid && images.empty() && buffers.empty()) return;
+  constexpr VkMemoryBarrier2 kFull = gpu::memory_barrier(gpu::kAllWork, gpu::kAllWork);
   const VkDependencyInfo info{.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO,
                               .memoryBarrierCount = paranoid ? 1u : 0u,
-                              .pMemoryBarriers = &kFullBarrier,
+                              .pMemoryBarriers = &kFull,
                               .bufferMemoryBarrierCount = static_cast<std::uint32_t>(buffers.size()),
                               .pBufferMemoryBarriers = buffers.data(),
                               .imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size()),

@@ -1,5 +1,7 @@
 #include "upload/transfer.hpp"
 
+#include "gpu/barrier.hpp"
+
 #include <algorithm>
 #include <cstring>
 
@@ -14,30 +16,6 @@ constexpr VkDeviceSize kCopyAlignment = 16;
 
 constexpr VkImageUsageFlags kUsage =
     VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-
-struct MipBarrier {
-  VkPipelineStageFlags2 dst_stages;
-  VkAccessFlags2 src_access, dst_access;
-  VkImageLayout old_layout, new_layout;
-};
-
-void barrier(VkCommandBuffer commands, const gpu::Image& image, std::uint32_t mip, std::uint32_t mips,
-             const MipBarrier& b) {
-  const VkImageMemoryBarrier2 info{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-                                   .srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
-                                   .srcAccessMask = b.src_access,
-                                   .dstStageMask = b.dst_stages,
-                                   .dstAccessMask = b.dst_access,
-                                   .oldLayout = b.old_layout,
-                                   .newLayout = b.new_layout,
-                                   .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                   .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                   .image = image.vk(),
-                                   .subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, mip, mips, 0, image.desc().layers}};
-  const VkDependencyInfo dependency{
-      .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .imageMemoryBarrierCount = 1, .pImageMemoryBarriers = &info};
-  vkCmdPipelineBarrier2(commands, &dependency);
-}
 
 VkOffset3D mip_corner(const gpu::ImageDesc& desc, std::uint32_t mip) {
   return {static_cast<std::int32_t>(std::max(desc.width >> mip, 1u)),
@@ -64,24 +42,25 @@ void blit_mip(VkCommandBuffer commands, const gpu::Image& image, std::uint32_t m
 
 void record_upload(VkCommandBuffer commands, gpu::Image& image, VkBuffer staging, VkDeviceSize offset) {
   const auto& desc = image.desc();
-  constexpr VkAccessFlags2 kWrite = VK_ACCESS_2_TRANSFER_WRITE_BIT, kRead = VK_ACCESS_2_TRANSFER_READ_BIT;
-  constexpr VkPipelineStageFlags2 kTransfer = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
   constexpr VkImageLayout kSrc = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kDst = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-  barrier(commands, image, 0, desc.mips, {kTransfer, 0, kWrite, VK_IMAGE_LAYOUT_UNDEFINED, kDst});
+  constexpr gpu::Scope kFresh{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_NONE};
+  const auto change = [&](gpu::MipRange mips, const gpu::Scope& before, const gpu::Scope& after, gpu::Layouts layouts) {
+    gpu::record(commands, gpu::image_barrier(image, before, after, layouts, mips));
+  };
+  change({0, desc.mips}, kFresh, gpu::kTransferWrite, {VK_IMAGE_LAYOUT_UNDEFINED, kDst});
   const VkBufferImageCopy copy{.bufferOffset = offset,
                                .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, desc.layers},
                                .imageExtent = {desc.width, desc.height, 1}};
   vkCmdCopyBufferToImage(commands, staging, image.vk(), kDst, 1, &copy);
   for (std::uint32_t mip = 1; mip < desc.mips; ++mip) {
-    barrier(commands, image, mip - 1, 1, {kTransfer, kWrite, kRead, kDst, kSrc});
+    change({mip - 1, 1}, gpu::kTransferWrite, gpu::kTransferRead, {kDst, kSrc});
     blit_mip(commands, image, mip);
   }
-  constexpr VkPipelineStageFlags2 kShaders =
-      VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
   constexpr VkImageLayout kSampled = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-  constexpr VkAccessFlags2 kSample = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
-  if (desc.mips > 1) barrier(commands, image, 0, desc.mips - 1, {kShaders, kRead, kSample, kSrc, kSampled});
-  barrier(commands, image, desc.mips - 1, 1, {kShaders, kWrite, kSample, kDst, kSampled});
+  constexpr gpu::Scope kShaders{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+                                VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
+  if (desc.mips > 1) change({0, desc.mips - 1}, gpu::kTransferRead, kShaders, {kSrc, kSampled});
+  change({desc.mips - 1, 1}, gpu::kTransferWrite, kShaders, {kDst, kSampled});
   image.layout = kSampled;
 }
 
