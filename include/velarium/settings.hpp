@@ -8,6 +8,7 @@ enum class DiffuseEnvironment { map, sh };
 enum class ExposureMode { manual, ev100, automatic };
 enum class Tonemap { neutral, agx, aces, linear };
 enum class ExrType { half, full };
+enum class Transport { direct, direct_env, one_bounce, full };
 
 // Everything that a picture depends on besides the scene, the view and the time: one struct a group,
 // one member a row of options.def, which gives units, ranges and meaning.

@@ -89,6 +89,7 @@ Light read_light(const Value& value) {
   light.color = value["color"].clamped_vector_or(light.color, 0.0f, kAnyPositive);
   light.intensity = value["intensity"].clamped_or(light.intensity, 0.0f, kAnyPositive);
   if (const Value range = value["range"]) light.range = positive(range);
+  light.radius = value.extra("radius").value_or(light.radius);
   if (light.kind == LightKind::spot) read_cones(value.require("spot"), light);
   return light;
 }

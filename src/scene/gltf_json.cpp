@@ -291,6 +291,16 @@ float Value::clamped_or(float fallback, float lowest, float highest) const {
   return nearest;
 }
 
+std::optional<float> Value::extra(std::string_view name) const {
+  const Value extras = (*this)["extras"];
+  if (!extras || !extras.json_->is_object()) return std::nullopt;
+  const Value member = extras[name];
+  if (!member || !member.json_->is_number()) return std::nullopt;
+  const double value = member.json_->get<double>();
+  if (!(value > 0.0 && value <= std::numeric_limits<float>::max())) return std::nullopt;
+  return static_cast<float>(value);
+}
+
 void Value::read_numbers(std::span<float> out) const {
   if (size() != out.size()) fail(fmt::format("has {} numbers, must have {}", size(), out.size()));
   for (std::uint32_t i = 0; i < out.size(); ++i) out[i] = at(i).number();

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -79,6 +80,10 @@ class Value {
   [[nodiscard]] float number_or(float fallback) const;
   // A factor out of its range has one plausible reading: the nearest value in the range, with a warning.
   [[nodiscard]] float clamped_or(float fallback, float lowest, float highest) const;
+
+  // The member of this name of the object's extras, where it is a number above 0. Extras belong to applications and may
+  // be anything, so nothing else there is an error.
+  [[nodiscard]] std::optional<float> extra(std::string_view name) const;
 
   // An array of exactly as many numbers as the glm type has.
   template <class Vector>

@@ -16,7 +16,7 @@ const float kUnboundedRadius = 1e18f;
 struct GpuLight {
   vec4 position_range;  // xyz: world axes, metres, relative to the eye; w: range in metres, 0 without end
   vec4 direction;       // xyz: unit, where the light shines to (directional, spot); w: kLightDirectional, ...
-  vec4 color;           // rgb: colour times intensity, lux (directional) or candela; w: unused, 0
+  vec4 color;           // rgb: colour times intensity, lux (directional) or candela; w: radius of the bulb in metres, 0: a point
   vec4 cone;            // spot: xy: spot_scale_offset(), z: cosine of the outer angle; w: unused, 0
 };
 CHECK_LAYOUT(GpuLight, position_range, 0);

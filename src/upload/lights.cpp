@@ -33,7 +33,7 @@ std::vector<GpuLight> gpu_lights(const std::vector<scene::LightInstance>& lights
     const glm::vec2 cone = shading::spot_scale_offset(light.inner_cone, light.outer_cone);
     result.push_back({.position_range = glm::vec4(glm::vec3(glm::dvec3(position) - eye), light.range),
                       .direction = glm::vec4(direction, gpu_kind(light.kind)),
-                      .color = glm::vec4(light.color * light.intensity, 0.0f),
+                      .color = glm::vec4(light.color * light.intensity, light.radius),
                       .cone = {cone.x, cone.y, std::cos(light.outer_cone), 0.0f}});
   }
   std::stable_sort(result.begin(), result.end(),
