@@ -2,6 +2,7 @@
 
 #include "core/files.hpp"
 #include "core/log.hpp"
+#include "image/srgb.hpp"
 
 #include <cmath>
 
@@ -11,11 +12,6 @@ namespace {
 // No format stores more than 16 bytes a pixel uncompressed; the rest is room for headers and metadata.
 std::uint64_t largest_file(const Limits& limits) {
   return 16 * limits.pixels + (64u << 20);
-}
-
-// IEC 61966-2-1, encoded to linear.
-float linear_from_srgb(float encoded) {
-  return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
 }
 
 template <class Channel>

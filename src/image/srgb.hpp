@@ -1,0 +1,17 @@
+#pragma once
+
+// The transfer function of sRGB (IEC 61966-2-1), for values from 0 to 1.
+
+#include <cmath>
+
+namespace velarium::image {
+
+[[nodiscard]] inline float linear_from_srgb(float encoded) {
+  return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+}
+
+[[nodiscard]] inline float srgb_from_linear(float linear) {
+  return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+}
+
+}  // namespace velarium::image
