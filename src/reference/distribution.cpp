@@ -69,15 +69,19 @@ Distribution2d::Sample Distribution2d::sample(const glm::vec2& u) const {
   const glm::uvec2 cell(column.index, row.index);
   const glm::vec2 size(columns_[row.index].size(), rows_.size());
   const glm::vec2 uv = (glm::vec2(cell) + glm::vec2(column.rest, row.rest)) / size;
-  return {glm::min(uv, kAlmostOne), column.probability * row.probability * size.x * size.y, cell};
+  return {glm::min(uv, kAlmostOne), pdf_of(cell), cell};
 }
 
 float Distribution2d::pdf(const glm::vec2& uv) const {
   if (empty()) return 0.0f;
-  const std::uint32_t y = cell_of(uv.y, rows_.size());
-  const Distribution1d& row = columns_[y];
+  const std::uint32_t row = cell_of(uv.y, rows_.size());
+  return pdf_of({cell_of(uv.x, columns_[row].size()), row});
+}
+
+float Distribution2d::pdf_of(const glm::uvec2& cell) const {
+  const Distribution1d& row = columns_[cell.y];
   const float cells = static_cast<float>(row.size()) * static_cast<float>(rows_.size());
-  return row.probability(cell_of(uv.x, row.size())) * rows_.probability(y) * cells;
+  return row.probability(cell.x) * rows_.probability(cell.y) * cells;
 }
 
 }  // namespace velarium::reference

@@ -60,6 +60,8 @@ class Distribution2d {
   [[nodiscard]] float pdf(const glm::vec2& uv) const;
 
  private:
+  [[nodiscard]] float pdf_of(const glm::uvec2& cell) const;
+
   std::vector<Distribution1d> columns_;  // within each row
   Distribution1d rows_;
 };
