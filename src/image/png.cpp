@@ -56,7 +56,8 @@ class Reader {
  public:
   explicit Reader(Session& session)
       : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &session, on_error, on_warning)),
-        info_(png_ != nullptr ? png_create_info_struct(png_) : nullptr) {
+        info_(png_ != nullptr ? png_create_info_struct(png_) : nullptr),
+        longest_chunk_(session.unread.size()) {
     if (info_ == nullptr) throw Error(ErrorCode::temporary, "libpng: out of memory");
     png_set_read_fn(png_, &session, on_read);
   }
@@ -71,6 +72,7 @@ class Reader {
     static const png_byte kIgnored[] = "iCCP\0gAMA\0cHRM\0tEXt\0zTXt\0iTXt\0eXIf";
     png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, kIgnored, sizeof kIgnored / 5);
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // check_size() has seen the header
+    png_set_chunk_malloc_max(png_, longest_chunk_);
     png_read_info(png_, info_);
     png_set_expand(png_);
     if (bits == 8) png_set_scale_16(png_);
@@ -88,6 +90,8 @@ class Reader {
  private:
   png_structp png_;
   png_infop info_;
+  // libpng believes the length that a chunk claims, and asks for that much memory before it reads.
+  std::size_t longest_chunk_;
 };
 
 class Writer {
