@@ -43,6 +43,7 @@ LIBRARIES = {
     "Imath/": {"image"},
     "Imf": {"image"},
     "meshoptimizer.h": {"scene"},
+    "draco/": {"scene"},
     "nlohmann/": {"scene", "apps"},
     "toml++/": {"apps"},
     "CLI/": {"apps"},
