@@ -8,13 +8,18 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfInputFile.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
+
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <optional>
+#include <set>
+#include <string>
 #include <string_view>
 
 namespace velarium::image {
@@ -66,7 +71,7 @@ class MemoryOutput final : public Imf::OStream {
 
 // --- the header, before OpenEXR allocates what it claims ----------------------------------------------------------
 
-// Walks the attributes of the first header (OpenEXR file layout: name, type, size, value; an empty name ends it).
+// Walks the attributes of headers (OpenEXR file layout: name, type, size, value).
 class AttributeReader {
  public:
   AttributeReader(Bytes data, const std::string& what) : unread_(data), what_(what) {}
@@ -108,13 +113,9 @@ void check_window(const std::array<std::int32_t, 4>& box, const std::string& wha
   check_size({static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)}, what, limits);
 }
 
-void check_header(Bytes data, const std::string& what, const Limits& limits) {
-  constexpr std::uint32_t kDeepFlag = 0x800;  // "non-image", of the version field
-  AttributeReader reader(data, what);
-  (void)reader.integer();
-  if ((reader.integer() & kDeepFlag) != 0)
-    throw Error(ErrorCode::unsupported, what, "OpenEXR: deep data is not supported");
-  for (std::string_view name; !(name = reader.text()).empty();) {
+// The attributes of one header; an empty name ends it.
+void check_attributes(AttributeReader& reader, std::string_view name, const std::string& what, const Limits& limits) {
+  for (; !name.empty(); name = reader.text()) {
     const std::string_view type = reader.text();
     const Bytes value = reader.take(reader.integer());
     const bool window = name == "dataWindow" || name == "displayWindow";
@@ -125,6 +126,18 @@ void check_header(Bytes data, const std::string& what, const Limits& limits) {
     if (std::max(tile[0], tile[1]) > limits.size)
       invalid(what, fmt::format("OpenEXR: tiles of {} x {} pixels", tile[0], tile[1]));
   }
+}
+
+void check_headers(Bytes data, const std::string& what, const Limits& limits) {
+  constexpr std::uint32_t kDeepFlag = 0x800, kPartsFlag = 0x1000;  // "non-image" and "multipart", of the version field
+  AttributeReader reader(data, what);
+  (void)reader.integer();
+  const std::uint32_t flags = reader.integer();
+  if ((flags & kDeepFlag) != 0) throw Error(ErrorCode::unsupported, what, "OpenEXR: deep data is not supported");
+  check_attributes(reader, reader.text(), what, limits);
+  if ((flags & kPartsFlag) == 0) return;
+  // A header a part; an empty one ends them.
+  for (std::string_view name; !(name = reader.text()).empty();) check_attributes(reader, name, what, limits);
 }
 
 // --- pixels -------------------------------------------------------------------------------------------------------
@@ -146,22 +159,30 @@ bool has_full(const Imf::ChannelList& channels, const char* name) {
   return channel != nullptr && channel->xSampling == 1 && channel->ySampling == 1;
 }
 
-// Which file channel goes to R, G, B.
-std::array<const char*, 3> color_channels(const Imf::ChannelList& channels, const std::string& what) {
-  if (has_full(channels, "R") && has_full(channels, "G") && has_full(channels, "B")) return {"R", "G", "B"};
-  const bool chroma = channels.findChannel("RY") != nullptr || channels.findChannel("BY") != nullptr;
-  if (has_full(channels, "Y") && !chroma) return {"Y", "Y", "Y"};
-  throw Error(
-      ErrorCode::unsupported, what,
-      fmt::format("OpenEXR: channels R, G and B, or Y alone, are read; the file has {}", channel_names(channels)));
+// Which file channels go to R, G, B and A, of which only the last may be absent.
+using ChannelNames = std::array<std::string, 4>;
+
+// `prefix` is empty, or the name of a layer and a dot.
+ChannelNames find_channels(const Imf::ChannelList& channels, const std::string& prefix, const std::string& what) {
+  const auto has = [&](const char* name) { return has_full(channels, (prefix + name).c_str()); };
+  const std::string alpha = prefix + "A";
+  if (has("R") && has("G") && has("B")) return {prefix + "R", prefix + "G", prefix + "B", alpha};
+  const std::string y = prefix + "Y";
+  const bool chroma = channels.findChannel(prefix + "RY") != nullptr || channels.findChannel(prefix + "BY") != nullptr;
+  if (has("Y") && !chroma) return {y, y, y, alpha};
+  throw Error(chroma ? ErrorCode::unsupported : ErrorCode::input_invalid, what,
+              fmt::format("OpenEXR: channels {0}R, {0}G and {0}B, or {0}Y alone, are read; the file has {1}", prefix,
+                          channel_names(channels)));
 }
 
-FloatImage read_data_window(Imf::InputFile& file, const std::string& what) {
+// `File` is Imf::InputFile or Imf::InputPart, which have no common base.
+template <class File>
+FloatImage read_data_window(File& file, const std::string& prefix, const std::string& what) {
   const Box2i window = file.header().dataWindow();
   const Size size = size_of(window);
-  FloatImage image{size.width, size.height, std::vector<float>(channel_count(size))};
-  const std::array<const char*, 3> names = color_channels(file.header().channels(), what);
+  const ChannelNames names = find_channels(file.header().channels(), prefix, what);
   const bool grey = names[0] == names[1];
+  FloatImage image{size.width, size.height, std::vector<float>(channel_count(size))};
 
   constexpr std::size_t kPixelBytes = 4 * sizeof(float);
   const auto slice = [&](std::size_t channel, double fill) {
@@ -170,7 +191,7 @@ FloatImage read_data_window(Imf::InputFile& file, const std::string& what) {
   };
   Imf::FrameBuffer target;
   for (std::size_t c = 0; c < (grey ? 1 : 3); ++c) target.insert(names[c], slice(c, 0.0));
-  target.insert("A", slice(3, 1.0));
+  target.insert(names[3], slice(3, 1.0));
   file.setFrameBuffer(target);
   file.readPixels(window.min.y, window.max.y);
 
@@ -191,6 +212,39 @@ FloatImage placed(const FloatImage& data, const Box2i& from, const Box2i& displa
                 image.rgba.begin() + static_cast<std::ptrdiff_t>(offset(display, image.width)));
   }
   return image;
+}
+
+template <class File>
+FloatImage read_picture(File& file, const std::string& prefix, const std::string& what) {
+  FloatImage image = read_data_window(file, prefix, what);
+  const Box2i from = file.header().dataWindow(), display = file.header().displayWindow();
+  return from == display ? image : placed(image, from, display);
+}
+
+// --- layers -------------------------------------------------------------------------------------------------------
+
+// A layer is a part of that name, or those channels of the first part whose names begin with it and a dot.
+struct Place {
+  int part = 0;
+  std::string prefix;
+};
+
+std::set<std::string> layer_names(const Imf::MultiPartInputFile& file) {
+  std::set<std::string> names;
+  file.header(0).channels().layers(names);
+  for (int part = 0; part < file.parts(); ++part)
+    if (file.header(part).hasName()) names.insert(file.header(part).name());
+  return names;
+}
+
+Place find_layer(const Imf::MultiPartInputFile& file, const std::string& layer, const std::string& what) {
+  for (int part = 0; part < file.parts(); ++part)
+    if (file.header(part).hasName() && file.header(part).name() == layer) return {part, ""};
+  const std::set<std::string> names = layer_names(file);
+  if (names.contains(layer)) return {0, layer + "."};
+  throw Error(ErrorCode::usage, what,
+              names.empty() ? fmt::format("has no layers, so none is named '{}'", layer)
+                            : fmt::format("has no layer '{}'; there are {}", layer, fmt::join(names, ", ")));
 }
 
 // --- writing ------------------------------------------------------------------------------------------------------
@@ -240,14 +294,18 @@ std::vector<std::byte> write_channels(const FloatImage& image, const std::vector
 
 }  // namespace
 
-FloatImage read_exr(Bytes data, const std::string& what, const Limits& limits) {
-  check_header(data, what, limits);
+FloatImage read_exr(Bytes data, const std::string& what, const Limits& limits, const std::string& layer) {
+  check_headers(data, what, limits);
   try {
     MemoryInput stream(data, what);
-    Imf::InputFile file(stream);
-    FloatImage image = read_data_window(file, what);
-    const Box2i from = file.header().dataWindow(), display = file.header().displayWindow();
-    return from == display ? image : placed(image, from, display);
+    if (layer.empty()) {
+      Imf::InputFile file(stream);
+      return read_picture(file, "", what);
+    }
+    Imf::MultiPartInputFile file(stream);
+    const Place place = find_layer(file, layer, what);
+    Imf::InputPart part(file, place.part);
+    return read_picture(part, place.prefix, what);
   } catch (const Error&) { throw; } catch (const std::exception& error) {
     invalid(what, fmt::format("OpenEXR: {}", error.what()));
   }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace velarium::image {
@@ -46,7 +47,15 @@ struct Size {
 // Error(input_missing), Error(input_invalid), Error(unsupported).
 [[nodiscard]] FloatImage load_radiance(const std::filesystem::path& file, const Limits& limits = {});
 
-// Any of the formats above as linear floats: sRGB-encoded formats are decoded, alpha kept straight.
+// Any of the formats above as its file holds it: display values, 8 bits widened to 16 (n becomes 257 n), or linear
+// light. `layer` names a part of an OpenEXR file, or those channels of its first part whose names begin with it and a
+// dot; empty: the first part's R, G, B and A. Throws as decode() and load_radiance(), and Error(usage) where a layer is
+// named that the file has not. Values need not be finite.
+using AnyImage = std::variant<WordImage, FloatImage>;
+[[nodiscard]] AnyImage load_picture(const std::filesystem::path& file, const std::string& layer = {},
+                                    const Limits& limits = {});
+
+// The same as linear floats: sRGB-encoded formats are decoded, alpha kept straight.
 [[nodiscard]] FloatImage load_linear(const std::filesystem::path& file, const Limits& limits = {});
 
 // All writers make the file whole or not at all (a temporary name in the same folder, then a rename)

@@ -4,6 +4,7 @@
 #include "core/log.hpp"
 #include "image/srgb.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace velarium::image {
@@ -14,19 +15,26 @@ std::uint64_t largest_file(const Limits& limits) {
   return 16 * limits.pixels + (64u << 20);
 }
 
-template <class Channel>
-FloatImage linear_image(std::uint32_t width, std::uint32_t height, const std::vector<Channel>& rgba) {
-  constexpr std::size_t kValues = std::size_t{1} << (8 * sizeof(Channel));
+FloatImage linear_image(const WordImage& image) {
+  constexpr std::size_t kValues = 1u << 16;
   constexpr auto kLargest = static_cast<float>(kValues - 1);
   std::vector<float> table(kValues);
   for (std::size_t i = 0; i < kValues; ++i) table[i] = linear_from_srgb(static_cast<float>(i) / kLargest);
 
-  FloatImage image{width, height, std::vector<float>(rgba.size())};
-  for (std::size_t i = 0; i < rgba.size(); ++i) {
+  FloatImage linear{image.width, image.height, std::vector<float>(image.rgba.size())};
+  for (std::size_t i = 0; i < image.rgba.size(); ++i) {
     const bool alpha = i % 4 == 3;
-    image.rgba[i] = alpha ? static_cast<float>(rgba[i]) / kLargest : table[rgba[i]];
+    linear.rgba[i] = alpha ? static_cast<float>(image.rgba[i]) / kLargest : table[image.rgba[i]];
   }
-  return image;
+  return linear;
+}
+
+WordImage widened(const ByteImage& image) {
+  constexpr std::uint16_t kStep = 65535 / 255;
+  WordImage words{image.width, image.height, std::vector<std::uint16_t>(image.rgba.size())};
+  std::transform(image.rgba.begin(), image.rgba.end(), words.rgba.begin(),
+                 [](std::uint16_t value) { return static_cast<std::uint16_t>(kStep * value); });
+  return words;
 }
 
 std::string pixel_text(const FloatImage& image, std::size_t value_index) {
@@ -48,10 +56,6 @@ void make_radiance(FloatImage& image, const std::string& what) {
   if (negative > 0) log_warning("{}: {}; such negative values ({} in all) are read as 0", what, first, negative);
 }
 
-FloatImage read_high_range(Bytes data, Format format, const std::string& what, const Limits& limits) {
-  return format == Format::exr ? read_exr(data, what, limits) : read_hdr(data, what, limits);
-}
-
 }  // namespace
 
 FloatImage load_radiance(const std::filesystem::path& file, const Limits& limits) {
@@ -60,24 +64,33 @@ FloatImage load_radiance(const std::filesystem::path& file, const Limits& limits
   if (format != Format::exr && format != Format::hdr) {
     invalid(file.string(), data.empty() ? "is empty" : "is not an OpenEXR or Radiance (.hdr) picture");
   }
-  FloatImage image = read_high_range(data, format, file.string(), limits);
+  FloatImage image =
+      format == Format::exr ? read_exr(data, file.string(), limits) : read_hdr(data, file.string(), limits);
   make_radiance(image, file.string());
   return image;
 }
 
-FloatImage load_linear(const std::filesystem::path& file, const Limits& limits) {
+AnyImage load_picture(const std::filesystem::path& file, const std::string& layer, const Limits& limits) {
   const std::vector<std::byte> data = read_file(file, largest_file(limits));
   const Format format = format_of(data);
-  if (format == Format::exr || format == Format::hdr) return read_high_range(data, format, file.string(), limits);
+  if (format == Format::unknown) {
+    invalid(file.string(), data.empty() ? "is empty" : "is not a PNG, JPEG, WebP, OpenEXR or Radiance (.hdr) picture");
+  }
+  if (format == Format::exr) return read_exr(data, file.string(), limits, layer);
+  if (!layer.empty())
+    throw Error(ErrorCode::usage, file, fmt::format("has no layer '{}'; only OpenEXR files have layers", layer));
+  if (format == Format::hdr) return read_hdr(data, file.string(), limits);
   if (format == Format::png) {
     check_size(png_size(data, file.string()), file.string(), limits);
-    if (png_has_16_bits(data)) {
-      const WordImage image = read_png_16(data, file.string(), limits);
-      return linear_image(image.width, image.height, image.rgba);
-    }
+    if (png_has_16_bits(data)) return read_png_16(data, file.string(), limits);
   }
-  const ByteImage image = decode(data, file.string(), limits);
-  return linear_image(image.width, image.height, image.rgba);
+  return widened(decode(data, file.string(), limits));
+}
+
+FloatImage load_linear(const std::filesystem::path& file, const Limits& limits) {
+  AnyImage image = load_picture(file, {}, limits);
+  if (auto* linear = std::get_if<FloatImage>(&image)) return std::move(*linear);
+  return linear_image(std::get<WordImage>(image));
 }
 
 }  // namespace velarium::image

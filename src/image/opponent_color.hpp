@@ -83,12 +83,20 @@ struct Lab {
   float l, a, b;  // l from 0 to 100
 };
 
+inline constexpr float kLabKnee = 6.0f / 29.0f;  // CIE 15: where the cube root of L*a*b* becomes a line
+
+[[nodiscard]] inline Rgb rgb_from_lab(const Lab& lab) {
+  const auto cube = [](float f) { return f > kLabKnee ? f * f * f : 3.0f * kLabKnee * kLabKnee * (f - 4.0f / 29.0f); };
+  const float f = (lab.l + 16.0f) / 116.0f;
+  const float x = cube(f + lab.a / 500.0f), y = cube(f), z = cube(f - lab.b / 200.0f);
+  return rgb_from_opponent({y, x - y, y - z});
+}
+
 // CIE L*a*b* (CIE 15), its chroma scaled by lightness (the Hunt effect, FLIP section 4.1): dark colours look less
 // colourful. Precondition: components are not negative.
 [[nodiscard]] inline Lab hunt_lab_from_rgb(const Rgb& c) {
-  constexpr float kDelta = 6.0f / 29.0f;
   const auto f = [](float t) {
-    return t > kDelta * kDelta * kDelta ? std::cbrt(t) : t / (3.0f * kDelta * kDelta) + 4.0f / 29.0f;
+    return t > kLabKnee * kLabKnee * kLabKnee ? std::cbrt(t) : t / (3.0f * kLabKnee * kLabKnee) + 4.0f / 29.0f;
   };
   const Opponent o = opponent_from_rgb(c);
   const float fx = f(o.y + o.x_minus_y), fy = f(o.y), fz = f(o.y - o.y_minus_z);

@@ -65,11 +65,30 @@ TEST_F(Exr, LuminanceIsGrey) {
 TEST_F(Exr, OtherChannelsAreIgnoredOrUnsupported) {
   write_channels(folder_ / "a.exr", {"R", "G", "B", "Z"}, {3}, Imf::Header(1, 1));
   EXPECT_EQ(load_radiance(folder_ / "a.exr").rgba, (std::vector<float>{3, 3, 3, 1}));
-  for (const auto& names :
-       std::vector<std::vector<std::string>>{{"R", "G"}, {"Z"}, {"Y", "RY", "BY"}, {"view.R", "view.G", "view.B"}}) {
+  write_channels(folder_ / "a.exr", {"Y", "RY", "BY"}, {3}, Imf::Header(1, 1));
+  expect_refused(ErrorCode::unsupported, [&] { (void)load_radiance(folder_ / "a.exr"); });
+  for (const auto& names : std::vector<std::vector<std::string>>{{"R", "G"}, {"Z"}, {"view.R", "view.G", "view.B"}}) {
     write_channels(folder_ / "a.exr", names, {3}, Imf::Header(1, 1));
-    expect_refused(ErrorCode::unsupported, [&] { (void)load_radiance(folder_ / "a.exr"); });
+    expect_refused(ErrorCode::input_invalid, [&] { (void)load_radiance(folder_ / "a.exr"); });
   }
+}
+
+TEST_F(Exr, LayersAreChannelsWithTheirNameInFront) {
+  write_channels(folder_ / "a.exr", {"light.R", "light.G", "light.B", "depth.Y", "normal.X"}, {3}, Imf::Header(1, 1));
+  for (const char* layer : {"light", "depth"})
+    EXPECT_EQ(std::get<FloatImage>(load_picture(folder_ / "a.exr", layer)).rgba, (std::vector<float>{3, 3, 3, 1}));
+  expect_refused(ErrorCode::input_invalid, [&] { (void)load_picture(folder_ / "a.exr", "normal"); });
+  expect_refused(ErrorCode::input_invalid, [&] { (void)load_picture(folder_ / "a.exr"); });
+  const Thrown thrown = thrown_by([&] { (void)load_picture(folder_ / "a.exr", "lihgt"); });
+  EXPECT_EQ(thrown.code, ErrorCode::usage);
+  EXPECT_NE(thrown.message.find("there are depth, light, normal"), std::string::npos) << thrown.message;
+}
+
+TEST_F(Exr, OtherFilesHaveNoLayers) {
+  save_exr(folder_ / "a.exr", test_floats(2, 2), false);
+  save_png(folder_ / "a.png", test_bytes(2, 2, true));
+  for (const char* name : {"a.exr", "a.png"})
+    expect_refused(ErrorCode::usage, [&] { (void)load_picture(folder_ / name, "light"); });
 }
 
 TEST_F(Exr, UnsignedIntegersAreRead) {
@@ -107,7 +126,7 @@ TEST_F(Exr, TilesAreRead) {
   for (std::size_t i = 0; i < 15; ++i) EXPECT_EQ(image.rgba[4 * i], values[i]);
 }
 
-TEST_F(Exr, OfSeveralPartsTheFirstIsRead) {
+TEST_F(Exr, OfSeveralPartsTheFirstIsReadUnlessOneIsNamed) {
   std::vector<Imf::Header> headers(2, Imf::Header(1, 1));
   for (std::size_t i = 0; i < 2; ++i) {
     headers[i].setName(i == 0 ? "first" : "second");
@@ -127,6 +146,22 @@ TEST_F(Exr, OfSeveralPartsTheFirstIsRead) {
     }
   }
   EXPECT_EQ(load_radiance(folder_ / "a.exr").rgba[0], 1.0f);
+  EXPECT_EQ(std::get<FloatImage>(load_picture(folder_ / "a.exr", "first")).rgba[0], 1.0f);
+  EXPECT_EQ(std::get<FloatImage>(load_picture(folder_ / "a.exr", "second")).rgba[0], 2.0f);
+  // What the header of the second part claims is checked as well.
+  std::string damaged = text_of(folder_ / "a.exr");
+  const std::size_t box = damaged.rfind("dataWindow") + 10 + 1 + 6 + 4;  // name, "box2i", size
+  damaged.replace(box + 8, 4, "\xff\xff\xff\x3f");                       // the largest x
+  expect_refused(ErrorCode::input_invalid, [&] { (void)load_picture(put("b.exr", damaged), "second"); });
+}
+
+TEST_F(Exr, DamageToLayersIsRefused) {
+  write_channels(folder_ / "a.exr", {"light.R", "light.G", "light.B"}, std::vector<float>(64 * 40, 3.0f),
+                 Imf::Header(64, 40));
+  const std::string file = text_of(folder_ / "a.exr");
+  const auto read = [&](std::string_view data) { (void)load_picture(put("b.exr", data), "light"); };
+  expect_every_truncation_refused(file, read);
+  expect_no_crash_on_damage(file, read);
 }
 
 TEST_F(Exr, ThePictureIsTheDisplayWindow) {
