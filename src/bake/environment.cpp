@@ -8,6 +8,7 @@
 #include "bake/table_cache.hpp"
 #include "core/files.hpp"
 #include "core/jobs.hpp"
+#include "gpu/cube_edges.hpp"
 
 #include <velarium/error.hpp>
 
@@ -55,13 +56,15 @@ void refuse_too_large(const gpu::Device& device, const image::FloatImage& equire
                             equirect.width, equirect.height, limit));
 }
 
-// Names the bake by the picture's half floats. Rows are hashed side by side, then their hashes.
-std::string cache_name(const image::FloatImage& equirect, std::span<const std::uint16_t> halves) {
+// Names the bake by the picture's half floats and by the driver, whose rounding is in its bits. Rows are hashed side by
+// side, then their hashes.
+std::string cache_name(const gpu::Device& device, const image::FloatImage& equirect,
+                       std::span<const std::uint16_t> halves) {
   const std::size_t row = 4 * static_cast<std::size_t>(equirect.width);
   std::vector<std::uint64_t> hashes(equirect.height);
   parallel_for(hashes.size(),
                [&](std::size_t y) { hashes[y] = content_hash(std::as_bytes(halves.subspan(y * row, row))); });
-  hashes.insert(hashes.end(), {equirect.width, equirect.height, kVersion});
+  hashes.insert(hashes.end(), {equirect.width, equirect.height, device.driver_hash(), kVersion});
   return fmt::format("environment-{:016x}.bin", content_hash(std::as_bytes(std::span(hashes))));
 }
 
@@ -74,7 +77,7 @@ Environment bake_environment(gpu::Toolbox& tools, const image::FloatImage& equir
       .background = upload_half_image(tools.device, background_desc(equirect), std::as_bytes(std::span(halves)))};
 
   // A cached bake is the coefficients, the specular cube's texels and the irradiance cube's.
-  const std::string name = cache_name(equirect, halves);
+  const std::string name = cache_name(tools.device, equirect, halves);
   const std::size_t specular_at = sizeof environment.sh;
   const std::size_t irradiance_at = specular_at + half_image_bytes(specular_cube_desc());
   std::vector<std::byte> bake(irradiance_at + half_image_bytes(irradiance_desc()));
@@ -92,6 +95,8 @@ Environment bake_environment(gpu::Toolbox& tools, const image::FloatImage& equir
     store_table(name, bake);
   }
   environment.irradiance = upload_half_image(tools.device, irradiance_desc(), irradiance);
+  gpu::fill_cube_edges(tools.device, environment.specular);
+  gpu::fill_cube_edges(tools.device, environment.irradiance);
   return environment;
 }
 

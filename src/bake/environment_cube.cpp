@@ -4,6 +4,7 @@
 #include "bake/environment_transfer.hpp"
 #include "gpu/barrier.hpp"
 #include "gpu/buffer.hpp"
+#include "gpu/cube_edges.hpp"
 #include "shading/host.hpp"
 
 #include <algorithm>
@@ -149,17 +150,21 @@ gpu::Image bake_specular_cube(gpu::Toolbox& tools, const gpu::Image& background)
   constexpr VkImageUsageFlags kUsage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT;
   gpu::ImageDesc source_desc = specular_cube_desc();
   source_desc.mips = gpu::full_mip_count(kFaceSize, kFaceSize);
-  gpu::Image source(tools.device, source_desc, kUsage);
+  gpu::Image source(tools.device, source_desc, kUsage | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
   gpu::Image specular(tools.device, specular_cube_desc(), kUsage | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
   const Samples samples = make_samples();
   const gpu::Buffer lobes = upload(tools.device, samples.samples);
 
   tools.descriptors.reset();
-  const VkCommandBuffer commands = tools.device.begin();
+  VkCommandBuffer commands = tools.device.begin();
   change_layout(commands, source, VK_IMAGE_LAYOUT_GENERAL);
   change_layout(commands, specular, VK_IMAGE_LAYOUT_GENERAL);
+  record_source(Recorder(tools, commands), background, source, specular);
+  tools.device.submit_and_wait(commands);
+  gpu::fill_cube_edges(tools.device, source);
+
+  commands = tools.device.begin();
   const Recorder recorder(tools, commands);
-  record_source(recorder, background, source, specular);
   for (std::uint32_t level = 1; level < shading::kPrefilterLevels; ++level)
     recorder.dispatch(kPrefilterShader, {samples.begin[level], samples.begin[level + 1]},
                       gpu::Bindings()

@@ -31,6 +31,10 @@ bool matches(const DeviceInfo& info, const std::string& choice) {
   return info.name.find(choice) != std::string::npos;
 }
 
+std::string pipeline_cache_name(const Device& device) {
+  return fmt::format("pipelines-{:016x}.bin", device.driver_hash());
+}
+
 // The best usable device that `choice` names.
 DeviceInfo choose(const std::vector<VkPhysicalDevice>& devices, const std::string& choice) {
   DeviceInfo best;
@@ -118,8 +122,10 @@ void Device::create_device() {
 }
 
 void Device::read_capabilities() {
-  VkPhysicalDeviceProperties properties{};
-  vkGetPhysicalDeviceProperties(physical_, &properties);
+  VkPhysicalDeviceDriverProperties driver{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+  VkPhysicalDeviceProperties2 all{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &driver};
+  vkGetPhysicalDeviceProperties2(physical_, &all);
+  const VkPhysicalDeviceProperties& properties = all.properties;
   VkPhysicalDeviceFeatures features{};
   vkGetPhysicalDeviceFeatures(physical_, &features);
   const auto& limits = properties.limits;
@@ -128,6 +134,7 @@ void Device::read_capabilities() {
       std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight});
   caps_.timestamp_ns = limits.timestampComputeAndGraphics ? static_cast<double>(limits.timestampPeriod) : 0.0;
   caps_.host_is_device = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+  caps_.cube_edges_need_blit = driver.driverID == VK_DRIVER_ID_GOOGLE_SWIFTSHADER;
 }
 
 VkCommandBuffer Device::begin() {
@@ -164,19 +171,18 @@ void Device::refuse_validation_messages() {
   throw Error(ErrorCode::internal, fmt::format("validation: {} (and {} more)", messages.front(), messages.size() - 1));
 }
 
-std::string Device::pipeline_cache_name() const {
+std::uint64_t Device::driver_hash() const {
   VkPhysicalDeviceProperties properties{};
   vkGetPhysicalDeviceProperties(physical_, &properties);
-  std::uint64_t hash = content_hash(std::as_bytes(std::span(properties.pipelineCacheUUID)));
-  hash = content_hash(std::as_bytes(std::span(&properties.driverVersion, 1)), hash);
-  return fmt::format("pipelines-{:016x}.bin", hash);
+  const std::uint64_t hash = content_hash(std::as_bytes(std::span(properties.pipelineCacheUUID)));
+  return content_hash(std::as_bytes(std::span(&properties.driverVersion, 1)), hash);
 }
 
 void Device::load_pipeline_cache() {
   std::vector<std::byte> data;
   try {
     if (const auto folder = cache_directory(); !folder.empty())
-      data = read_file(folder / pipeline_cache_name(), kMaxCacheBytes);
+      data = read_file(folder / pipeline_cache_name(*this), kMaxCacheBytes);
   } catch (const Error&) {
     data.clear();  // a cache that cannot be read is a cache miss
   }
@@ -196,7 +202,7 @@ void Device::save_pipeline_cache() noexcept {
     std::vector<std::byte> data(size);
     if (vkGetPipelineCacheData(device_, pipeline_cache_, &size, data.data()) != VK_SUCCESS) return;
     std::filesystem::create_directories(folder);
-    write_file(folder / pipeline_cache_name(), data);
+    write_file(folder / pipeline_cache_name(*this), data);
   } catch (const std::exception& e) { log_debug("pipeline cache not written: {}", e.what()); }
 }
 

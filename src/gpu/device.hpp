@@ -11,10 +11,11 @@ namespace velarium::gpu {
 
 // What this device can do beyond what is required. The one place that optional features are asked at.
 struct Capabilities {
-  float max_anisotropy = 1.0f;       // 1: none
-  std::uint32_t max_image_size = 0;  // width and height of 2-D images and of what is drawn to, pixels
-  double timestamp_ns = 0.0;         // nanoseconds a tick; 0: no timestamps
-  bool host_is_device = false;       // a CPU driver: all memory is the host's
+  float max_anisotropy = 1.0f;        // 1: none
+  std::uint32_t max_image_size = 0;   // width and height of 2-D images and of what is drawn to, pixels
+  double timestamp_ns = 0.0;          // nanoseconds a tick; 0: no timestamps
+  bool host_is_device = false;        // a CPU driver: all memory is the host's
+  bool cube_edges_need_blit = false;  // see fill_cube_edges()
 };
 
 // A logical device with its one queue. Not thread-safe.
@@ -32,6 +33,8 @@ class Device {
   [[nodiscard]] const Capabilities& caps() const { return caps_; }
   [[nodiscard]] MemoryAllocator& memory() { return *memory_; }
   [[nodiscard]] VkPipelineCache pipeline_cache() const { return pipeline_cache_; }
+  // Names this driver on this device, and its version: bits that one computes need not be another's.
+  [[nodiscard]] std::uint64_t driver_hash() const;
   [[nodiscard]] bool has_labels() const { return instance_->has_debug_utils(); }
 
   // A command buffer that is recording, for one submission.
@@ -46,7 +49,6 @@ class Device {
   void read_capabilities();
   void load_pipeline_cache();
   void save_pipeline_cache() noexcept;
-  [[nodiscard]] std::string pipeline_cache_name() const;
 
   std::unique_ptr<Instance> instance_;
   VkPhysicalDevice physical_ = VK_NULL_HANDLE;
