@@ -13,7 +13,8 @@
 // d: unit.
 FN vec2 equirect_uv(vec3 d) {
   float polar = atan(sqrt(d.x * d.x + d.z * d.z), d.y);  // acos(d.y), without its loss of digits near the poles
-  return vec2(0.5f + atan(d.z, d.x) / kTwoPi, polar / kPi);
+  float z = d.z == 0.0f ? 0.0f : d.z;  // not -0, of which SwiftShader's atan makes 0 where d.x < 0, instead of -pi
+  return vec2(0.5f + atan(z, d.x) / kTwoPi, polar / kPi);
 }
 
 // The inverse of equirect_uv.
