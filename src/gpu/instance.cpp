@@ -169,7 +169,8 @@ DeviceInfo describe_device(VkPhysicalDevice device, std::uint32_t index) {
     VkPhysicalDeviceDriverProperties driver{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
     VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &driver};
     vkGetPhysicalDeviceProperties2(device, &properties);
-    info.driver = fmt::format("{} {}", driver.driverName, driver.driverInfo);
+    info.driver = driver.driverName;
+    if (driver.driverInfo[0] != '\0') info.driver += fmt::format(" {}", driver.driverInfo);
   }
   info.why_not = missing_feature(device, basic.apiVersion);
   info.usable = info.why_not.empty();
