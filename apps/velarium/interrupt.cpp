@@ -17,12 +17,14 @@ namespace {
 constexpr timespec kGrace{2, 0};
 
 std::atomic<int> caught{0};
+std::atomic<bool> taken{false};
 
 void wait_for_signals(sigset_t signals) {
   int signal = 0;
   if (sigwait(&signals, &signal) != 0) return;
   caught = signal;
-  const int second = sigtimedwait(&signals, nullptr, &kGrace);
+  int second = sigtimedwait(&signals, nullptr, &kGrace);
+  if (second < 0 && taken) sigwait(&signals, &second);
   remove_unfinished_files();
   ::_exit(exit_code_of_signal(second > 0 ? second : signal));
 }
@@ -47,6 +49,11 @@ void watch_signals() {
 
 void check_interrupt() {
   if (const int signal = caught; signal != 0) throw Interrupted{signal};
+}
+
+int take_interrupt() {
+  if (caught != 0) taken = true;
+  return caught;
 }
 
 }  // namespace velarium::app

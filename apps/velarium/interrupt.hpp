@@ -7,6 +7,7 @@ namespace velarium::app {
 
 struct Interrupted {
   int signal;
+  const char* outcome = "nothing was written";
 };
 
 // Call before any other thread is started: threads inherit that these signals are blocked.
@@ -14,6 +15,10 @@ void watch_signals();
 
 // Throws Interrupted once a signal has come.
 void check_interrupt();
+
+// The signal that has come, or 0. Whoever asks and is told takes the end into his own hands: the program then waits for
+// a second signal, and no longer for two seconds.
+[[nodiscard]] int take_interrupt();
 
 // What a shell expects of a program that a signal ended.
 [[nodiscard]] constexpr int exit_code_of_signal(int signal) {

@@ -56,7 +56,7 @@ int parse_and_run(int argc, char** argv) {
       "velarium VERB --help tells more. Exit codes: 0 done, 2 usage, 3 input missing, 4 input invalid,\n"
       "5 unsupported, 6 no usable device, 7 output not written, 70 defect, 75 try again, 130 interrupted.");
   app.require_subcommand(0, 1);
-  for (const auto add : {add_render, add_info, add_devices, add_bench, add_options, add_completion}) add(app);
+  for (const auto add : {add_render, add_reference, add_info, add_devices, add_bench, add_options, add_completion}) add(app);
 
   std::vector<std::string> arguments = with_verb({argv + 1, argv + argc}, app);
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
@@ -74,7 +74,7 @@ int run(int argc, char** argv) {
   try {
     return parse_and_run(argc, argv);
   } catch (const Interrupted& interrupted) {
-    say_error("interrupted; nothing was written");
+    say_error(fmt::format("interrupted; {}", interrupted.outcome));
     return exit_code_of_signal(interrupted.signal);
   } catch (const Error& error) {
     say_error(error.what());

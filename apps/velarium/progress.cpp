@@ -41,25 +41,34 @@ Progress::~Progress() {
 }
 
 void Progress::update(std::uint32_t done, std::uint32_t of) {
-  if (style_ == ProgressStyle::none || !due(done == of)) return;
-  const double left = seconds_left(done, of);
+  say(fmt::format("frame {} of {}", done, of), fmt::format("\"frame\":{},\"of\":{}", done, of),
+      static_cast<double>(done) / of);
+}
+
+void Progress::update(double share) {
+  say(fmt::format("{:.0f} %", 100.0 * share), fmt::format("\"share\":{:.4f}", share), share);
+}
+
+void Progress::say(const std::string& what, const std::string& json, double share) {
+  if (style_ == ProgressStyle::none || !due(share >= 1.0)) return;
+  const double left = seconds_left(share);
   if (style_ == ProgressStyle::json) {
-    fmt::print(stderr, "{{\"frame\":{},\"of\":{},\"seconds_left\":{:.1f}}}\n", done, of, left);
+    fmt::print(stderr, "{{{},\"seconds_left\":{:.1f}}}\n", json, left);
   } else if (style_ == ProgressStyle::plain) {
-    fmt::print(stderr, "frame {} of {}, {} left\n", done, of, duration_text(left));
+    fmt::print(stderr, "{}, {} left\n", what, duration_text(left));
   } else {
-    constexpr std::uint32_t kBarWidth = 30;
-    const auto filled = static_cast<std::size_t>(std::uint64_t{kBarWidth} * done / of);
-    const std::string bar = std::string(filled, '#') + std::string(kBarWidth - filled, '.');
-    fmt::print(stderr, "\r\033[K[{}] frame {} of {}, {} left", bar, done, of, duration_text(left));
+    constexpr double kBarWidth = 30;
+    const auto filled = static_cast<std::size_t>(kBarWidth * share);
+    const std::string bar = std::string(filled, '#') + std::string(static_cast<std::size_t>(kBarWidth) - filled, '.');
+    fmt::print(stderr, "\r\033[K[{}] {}, {} left", bar, what, duration_text(left));
     bar_shown_ = true;
   }
   std::fflush(stderr);
 }
 
-double Progress::seconds_left(std::uint32_t done, std::uint32_t of) const {
+double Progress::seconds_left(double share) const {
   const std::chrono::duration<double> passed = Clock::now() - start_;
-  return passed.count() / done * (of - done);
+  return share > 0.0 ? passed.count() / share * (1.0 - share) : 0.0;
 }
 
 // Every frame where a program or a terminal reads; in a log, one line in two seconds and the last one.

@@ -35,7 +35,6 @@ class Render {
     fs::path file;
   };
 
-  void settle_output();
   void check_outputs() const;
   RenderResult render_frames(const Scene& scene);
   void save_dumps(const std::vector<DumpedImage>& images) const;
@@ -75,7 +74,7 @@ void Render::declare(CLI::App& verb) {
 void Render::run() {
   flags_->apply();
   finish_view(view_);
-  settle_output();
+  if (output_.empty()) output_ = picture_name(scene_);
   check_outputs();
 
   const Scene scene = Scene::load(scene_, view_.load);
@@ -90,14 +89,6 @@ void Render::run() {
   phases_.emplace_back("save", phase_.lap_ms());
   if (!timings_.empty()) write_timings(result.report);
   say_summary(result.report);
-}
-
-// "builtin:atrium" and "folder/atrium.gltf" become atrium.png in the current folder.
-void Render::settle_output() {
-  if (!output_.empty()) return;
-  const std::size_t colon = scene_.starts_with("builtin:") ? scene_.find(':') + 1 : 0;
-  output_ = fs::path(scene_.substr(colon)).stem();
-  output_ += ".png";
 }
 
 void Render::check_outputs() const {

@@ -9,6 +9,7 @@ namespace velarium::app {
 
 // Each adds one verb to the command line. A verb throws Error, or Interrupted.
 void add_render(CLI::App& app);
+void add_reference(CLI::App& app);
 void add_info(CLI::App& app);
 void add_devices(CLI::App& app);
 void add_bench(CLI::App& app);

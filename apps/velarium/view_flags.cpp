@@ -105,6 +105,13 @@ void finish_view(View& view) {
   view.request.look_at = look;
 }
 
+std::filesystem::path picture_name(const std::string& scene) {
+  const std::size_t colon = scene.starts_with("builtin:") ? scene.find(':') + 1 : 0;
+  std::filesystem::path name = std::filesystem::path(scene.substr(colon)).stem();
+  name += ".png";
+  return name;
+}
+
 void add_verbosity_flags(CLI::App& verb) {
   auto* quiet = verb.add_flag_callback(
       "-q,--quiet", [] { set_verbosity(Verbosity::quiet); }, "say errors only");

@@ -4,6 +4,7 @@
 
 #include <velarium/velarium.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -23,6 +24,10 @@ void add_view_flags(Flags& flags, View& view);
 
 // Makes the camera of --eye and its companions. Throws Error(usage) where they contradict each other.
 void finish_view(View& view);
+
+// What a picture of this scene is called where nobody says: "builtin:atrium" and "folder/atrium.gltf" become atrium.png
+// in the current folder.
+[[nodiscard]] std::filesystem::path picture_name(const std::string& scene);
 
 // -q and -v.
 void add_verbosity_flags(CLI::App& verb);

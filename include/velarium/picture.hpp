@@ -4,9 +4,19 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace velarium {
+
+// Pixels beside the colours of a picture, such as its depth: of the picture's size, channels interleaved.
+struct PictureLayer {
+  std::string name;
+  std::vector<std::string> channels;  // "R", "G", "B"; "X", "Y", "Z"; "Z"
+  std::vector<float> values;
+  bool exact = false;                 // stored as 32-bit floats whatever the settings say
+};
 
 // A finished picture: rows from the top, pixels from the left, four channels (red, green, blue, alpha).
 struct Picture {
@@ -17,6 +27,10 @@ struct Picture {
   // Display values (tone-mapped, sRGB-encoded, straight alpha), 16 bits a channel; dithered for `display_bits`.
   std::vector<std::uint16_t> display;
   int display_bits = 8;
+  // What .exr stores besides `linear`, each as a part of its own; other formats leave them out.
+  std::vector<PictureLayer> layers;
+  // Names and texts that .png and .exr store with the pixels.
+  std::vector<std::pair<std::string, std::string>> attributes;
 
   // Writes the format that the ending names: .png .jpg .jpeg .webp from `display`, .exr .hdr from `linear`.
   // The file appears whole or not at all. Throws Error(output_not_written), or Error(usage) for an unknown ending.

@@ -8,6 +8,7 @@
 #include <velarium/log.hpp>
 #include <velarium/options.hpp>
 #include <velarium/picture.hpp>
+#include <velarium/reference.hpp>
 #include <velarium/scene.hpp>
 #include <velarium/settings.hpp>
 #include <velarium/version.hpp>

@@ -29,8 +29,8 @@ image::ByteImage bytes_of(const Picture& picture) {
 }
 
 void save_png(const fs::path& file, const Picture& picture, const Settings& settings) {
-  if (settings.output.bits == 8) return image::save_png(file, bytes_of(picture));
-  image::save_png(file, image::WordImage{picture.width, picture.height, picture.display});
+  if (settings.output.bits == 8) return image::save_png(file, bytes_of(picture), picture.attributes);
+  image::save_png(file, image::WordImage{picture.width, picture.height, picture.display}, picture.attributes);
 }
 void save_jpeg(const fs::path& file, const Picture& picture, const Settings& settings) {
   image::save_jpeg(file, bytes_of(picture), settings.output.quality);
@@ -39,7 +39,13 @@ void save_webp(const fs::path& file, const Picture& picture, const Settings& set
   image::save_webp(file, bytes_of(picture), settings.output.quality);
 }
 void save_exr(const fs::path& file, const Picture& picture, const Settings& settings) {
-  image::save_exr(file, {picture.width, picture.height, picture.linear}, settings.output.exr == ExrType::half);
+  const bool half = settings.output.exr == ExrType::half;
+  if (picture.layers.empty() && picture.attributes.empty())
+    return image::save_exr(file, {picture.width, picture.height, picture.linear}, half);
+  std::vector<image::ExrPart> parts{{"beauty", {"R", "G", "B", "A"}, picture.linear, half}};
+  for (const PictureLayer& layer : picture.layers)
+    parts.push_back({layer.name, layer.channels, layer.values, half && !layer.exact});
+  image::save_exr_parts(file, {picture.width, picture.height}, parts, picture.attributes);
 }
 void save_hdr(const fs::path& file, const Picture& picture, const Settings&) {
   image::save_hdr(file, {picture.width, picture.height, picture.linear});

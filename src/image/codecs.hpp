@@ -32,8 +32,10 @@ void check_size(Size size, const std::string& what, const Limits& limits);
 [[nodiscard]] bool png_has_16_bits(Bytes data);  // precondition: png_size() has accepted the header
 [[nodiscard]] ByteImage read_png(Bytes data, const std::string& what, const Limits& limits);
 [[nodiscard]] WordImage read_png_16(Bytes data, const std::string& what, const Limits& limits);
-[[nodiscard]] std::vector<std::byte> write_png(const ByteImage& image, const std::string& what);
-[[nodiscard]] std::vector<std::byte> write_png(const WordImage& image, const std::string& what);
+[[nodiscard]] std::vector<std::byte> write_png(const ByteImage& image, const std::string& what,
+                                               const Attributes& attributes = {});
+[[nodiscard]] std::vector<std::byte> write_png(const WordImage& image, const std::string& what,
+                                               const Attributes& attributes = {});
 
 [[nodiscard]] Size jpeg_size(Bytes data, const std::string& what);
 [[nodiscard]] ByteImage read_jpeg(Bytes data, const std::string& what, const Limits& limits);

@@ -1,4 +1,5 @@
 #include "image/codecs.hpp"
+#include "image/exr_output.hpp"
 
 #include "core/assert.hpp"
 #include "core/log.hpp"
@@ -47,25 +48,6 @@ class MemoryInput final : public Imf::IStream {
 
  private:
   Bytes data_;
-  std::uint64_t position_ = 0;
-};
-
-class MemoryOutput final : public Imf::OStream {
- public:
-  explicit MemoryOutput(const std::string& what) : OStream(what.c_str()) {}
-
-  void write(const char from[], int count) override {
-    const std::size_t end = position_ + static_cast<std::size_t>(count);
-    if (end > data_.size()) data_.resize(end);
-    std::memcpy(data_.data() + position_, from, static_cast<std::size_t>(count));
-    position_ = end;
-  }
-  std::uint64_t tellp() override { return position_; }
-  void seekp(std::uint64_t position) override { position_ = position; }
-  [[nodiscard]] std::vector<std::byte> take() { return std::move(data_); }
-
- private:
-  std::vector<std::byte> data_;
   std::uint64_t position_ = 0;
 };
 

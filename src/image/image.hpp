@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -58,13 +59,27 @@ using AnyImage = std::variant<WordImage, FloatImage>;
 // The same as linear floats: sRGB-encoded formats are decoded, alpha kept straight.
 [[nodiscard]] FloatImage load_linear(const std::filesystem::path& file, const Limits& limits = {});
 
+// What a file says about itself besides its pixels: names and texts.
+using Attributes = std::vector<std::pair<std::string, std::string>>;
+
+// One part of an OpenEXR file of several: pixels with channels of its own, interleaved.
+struct ExrPart {
+  std::string name;
+  std::vector<std::string> channels;
+  std::vector<float> values;
+  bool half = false;  // store 16-bit floats: values beyond 65504 become that
+};
+
 // All writers make the file whole or not at all (a temporary name in the same folder, then a rename)
 // and throw Error(output_not_written) with the system's reason.
-void save_png(const std::filesystem::path& file, const ByteImage& image);
-void save_png(const std::filesystem::path& file, const WordImage& image);
+void save_png(const std::filesystem::path& file, const ByteImage& image, const Attributes& attributes = {});
+void save_png(const std::filesystem::path& file, const WordImage& image, const Attributes& attributes = {});
 void save_jpeg(const std::filesystem::path& file, const ByteImage& image, int quality);  // alpha is dropped
 void save_webp(const std::filesystem::path& file, const ByteImage& image, int quality);  // 100: lossless
 void save_exr(const std::filesystem::path& file, const FloatImage& image, bool half);    // premultiplied, as EXR asks
+// Readers that know of one part only show the first. Each part carries the attributes.
+void save_exr_parts(const std::filesystem::path& file, Size size, std::span<const ExrPart> parts,
+                    const Attributes& attributes = {});
 void save_hdr(const std::filesystem::path& file, const FloatImage& image);               // alpha is dropped
 
 }  // namespace velarium::image

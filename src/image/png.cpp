@@ -106,7 +106,8 @@ class Writer {
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  [[nodiscard]] bool write(png_bytepp rows, Size size, int bits, bool with_alpha) noexcept {
+  [[nodiscard]] bool write(png_bytepp rows, Size size, int bits, bool with_alpha,
+                           const std::vector<png_text>& texts) noexcept {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_IHDR(png_, info_, size.width, size.height, bits, with_alpha ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB,
@@ -114,6 +115,7 @@ class Writer {
     png_set_sRGB(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_compression_level(png_, kCompressionLevel);
     png_set_filter(png_, PNG_FILTER_TYPE_BASE, kFilters);
+    if (!texts.empty()) png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
     png_write_info(png_, info_);
     if (!with_alpha) png_set_filler(png_, 0, PNG_FILLER_AFTER);
     if (bits == 16 && std::endian::native == std::endian::little) png_set_swap(png_);
@@ -151,8 +153,21 @@ Image read(Bytes data, const std::string& what, const Limits& limits) {
   return image;
 }
 
+// Refer to the attributes. libpng only reads through its pointers.
+std::vector<png_text> texts_of(const Attributes& attributes) {
+  std::vector<png_text> texts;
+  for (const auto& [name, text] : attributes) {
+    png_text& added = texts.emplace_back();
+    added.compression = PNG_TEXT_COMPRESSION_NONE;
+    added.key = const_cast<char*>(name.c_str());
+    added.text = const_cast<char*>(text.c_str());
+    added.text_length = text.size();
+  }
+  return texts;
+}
+
 template <class Image>
-std::vector<std::byte> write(const Image& image, const std::string& what) {
+std::vector<std::byte> write(const Image& image, const std::string& what, const Attributes& attributes) {
   using Channel = typename decltype(image.rgba)::value_type;
   const Size size{image.width, image.height};
   VEL_ASSERT(image.rgba.size() == channel_count(size));
@@ -161,9 +176,10 @@ std::vector<std::byte> write(const Image& image, const std::string& what) {
     opaque = opaque && image.rgba[i] == static_cast<Channel>(~Channel{0});
   // libpng takes rows that it may change, and does not change them where no transformation asks for it.
   std::vector<png_bytep> rows = row_pointers(const_cast<Channel*>(image.rgba.data()), size);
+  const std::vector<png_text> texts = texts_of(attributes);
   Session session;
   Writer writer(session);
-  if (!writer.write(rows.data(), size, 8 * sizeof(Channel), !opaque)) {
+  if (!writer.write(rows.data(), size, 8 * sizeof(Channel), !opaque, texts)) {
     throw Error(ErrorCode::output_not_written, what, "PNG: " + session.failure);
   }
   return std::move(session.written);
@@ -187,11 +203,11 @@ ByteImage read_png(Bytes data, const std::string& what, const Limits& limits) {
 WordImage read_png_16(Bytes data, const std::string& what, const Limits& limits) {
   return read<WordImage>(data, what, limits);
 }
-std::vector<std::byte> write_png(const ByteImage& image, const std::string& what) {
-  return write(image, what);
+std::vector<std::byte> write_png(const ByteImage& image, const std::string& what, const Attributes& attributes) {
+  return write(image, what, attributes);
 }
-std::vector<std::byte> write_png(const WordImage& image, const std::string& what) {
-  return write(image, what);
+std::vector<std::byte> write_png(const WordImage& image, const std::string& what, const Attributes& attributes) {
+  return write(image, what, attributes);
 }
 
 }  // namespace velarium::image

@@ -6,11 +6,11 @@ namespace velarium::image {
 
 namespace fs = std::filesystem;
 
-void save_png(const fs::path& file, const ByteImage& image) {
-  write_file(file, write_png(image, file.string()));
+void save_png(const fs::path& file, const ByteImage& image, const Attributes& attributes) {
+  write_file(file, write_png(image, file.string(), attributes));
 }
-void save_png(const fs::path& file, const WordImage& image) {
-  write_file(file, write_png(image, file.string()));
+void save_png(const fs::path& file, const WordImage& image, const Attributes& attributes) {
+  write_file(file, write_png(image, file.string(), attributes));
 }
 void save_jpeg(const fs::path& file, const ByteImage& image, int quality) {
   write_file(file, write_jpeg(image, quality, file.string()));

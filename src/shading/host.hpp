@@ -59,6 +59,7 @@ using glm::sqrt;
 #include "shading/constants.glsl"
 #include "shading/depth.glsl"
 #include "shading/diffuse.glsl"
+#include "shading/display.glsl"
 #include "shading/environment.glsl"
 #include "shading/gbuffer.glsl"
 #include "shading/lights.glsl"

@@ -1,18 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "shading/color.glsl"
+#include "shading/display.glsl"
 
 // One group makes one partial sum. It takes every gl_NumWorkGroups.x-th run of 128 pixels, a thread every 128th pixel,
 // and adds in an order that depends on the size of the picture alone.
 
 const uint kThreads = 128u;
-
-// Darker than the smallest normal half, 2^-14, light has lost its digits, and its logarithm would outweigh the rest.
-const float kNearBlack = 1.0f / 16384.0f;
-
-// No sum of halves comes near to this: it has overflowed.
-const float kOverflow = 1e30f;
 
 layout(local_size_x = 128) in;
 layout(set = 0, binding = 0) uniform sampler2D sum;
@@ -21,20 +15,12 @@ layout(push_constant) uniform Push { float frame_weight; };
 
 shared vec2 sums[kThreads];
 
-vec2 weighted_log2(vec4 premultiplied) {
-  float coverage = premultiplied.a * frame_weight;
-  float light = luminance(premultiplied.rgb / premultiplied.a);
-  // Comparisons with what is not a number are false: it is left out.
-  bool counts = coverage > 0.0f && light > kNearBlack && light < kOverflow;
-  return counts ? coverage * vec2(log2(light), 1.0f) : vec2(0.0f);
-}
-
 void main() {
   uvec2 size = uvec2(textureSize(sum, 0));
   uint count = size.x * size.y;
   vec2 mine = vec2(0.0f);
   for (uint i = gl_GlobalInvocationID.x; i < count; i += gl_NumWorkGroups.x * kThreads)
-    mine += weighted_log2(texelFetch(sum, ivec2(i % size.x, i / size.x), 0));
+    mine += weighted_log2_luminance(texelFetch(sum, ivec2(i % size.x, i / size.x), 0) * frame_weight);
   sums[gl_LocalInvocationIndex] = mine;
   for (uint half_size = kThreads / 2u; half_size > 0u; half_size /= 2u) {
     barrier();

@@ -1,0 +1,92 @@
+#pragma once
+
+// All light of a scene, as sources to aim at: the scene's lamps, its glowing triangles, and the environment.
+
+#include "reference/emitters.hpp"
+#include "reference/environment_light.hpp"
+
+#include "shading/host.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace velarium::reference {
+
+// Where light is to be found.
+struct Receiver {
+  glm::vec3 position_ws{0.0f};
+  glm::vec3 normal_ws{0.0f};  // the shading normal: what lies behind it lights nothing
+};
+
+// With which chance each kind of light is aimed at from a receiver; they sum to 1, or are 0 where there is no light.
+struct LightChances {
+  float environment = 0.0f, emitters = 0.0f, lamps = 0.0f;
+  float lamp_total = 0.0f;  // the sum of the weights of all lamps
+};
+
+struct LightSample {
+  glm::vec3 wi{0.0f};     // unit, towards the light
+  glm::vec3 light{0.0f};  // irradiance on a plane that faces it (points), or radiance / pdf_sr (all others)
+  float distance = 0.0f;  // metres to it: nothing nearer may stand between; infinite for the environment and the sun
+  float pdf_sr = 0.0f;    // of wi with all choices counted; 0: light from one direction alone, found no other way
+  bool emitter = false;   // a triangle's
+};
+
+// Which kinds of light a path may find at its end.
+struct LightKinds {
+  bool environment = true, emitters = true;
+};
+
+class Lights {
+ public:
+  // lamps: relative to the eye. environment: null where there is none. The objects and materials must outlive this.
+  Lights(std::vector<shading::GpuLight> lamps, const image::FloatImage* environment, float rotation_deg,
+         float intensity, const std::vector<Object>& objects, const Materials& materials);
+
+  [[nodiscard]] bool has_environment() const { return environment_ && !environment_->dark(); }
+  [[nodiscard]] bool has_emitters() const { return !emitters_.empty(); }
+  [[nodiscard]] bool has_spheres() const { return !spheres_.empty(); }
+  // What is seen of the environment in a direction; black where there is none.
+  [[nodiscard]] glm::vec3 environment(const glm::vec3& direction) const;
+
+  [[nodiscard]] LightChances chances(const Receiver& receiver, LightKinds kinds) const;
+
+  // One light, by its chance. Nothing where the chosen one does not reach the receiver. u: in [0, 1).
+  [[nodiscard]] std::optional<LightSample> sample(const Receiver& receiver, const LightChances& chances, float u_light,
+                                                  const glm::vec2& u) const;
+
+  // With which density sample() returns these directions, per steradian, for the balance with reflected rays.
+  [[nodiscard]] float pdf_sr_environment(const LightChances& chances, const glm::vec3& wi) const;
+  [[nodiscard]] float pdf_sr_emitter(const LightChances& chances, const Hit& hit, const SurfacePoint& p,
+                                     const glm::vec3& wi) const;
+
+  // Spherical lamps that a ray from the receiver meets before `distance`. They hide nothing and are not seen
+  // themselves: they are lights only.
+  struct SphereHit {
+    glm::vec3 radiance;
+    float pdf_sr;
+  };
+  template <class Function>
+  void for_each_sphere(const Receiver& receiver, const LightChances& chances, const glm::vec3& wi, float distance,
+                       Function function) const {
+    for (const std::size_t lamp : spheres_)
+      if (const auto hit = meet_sphere(lamps_[lamp], receiver, chances, wi, distance)) function(*hit);
+  }
+
+ private:
+  [[nodiscard]] std::optional<LightSample> sample_lamp(const Receiver& receiver, const LightChances& chances, float u,
+                                                       const glm::vec2& place) const;
+  [[nodiscard]] std::optional<LightSample> sample_emitter(const Receiver& receiver, const LightChances& chances,
+                                                          float u_light, const glm::vec2& u) const;
+  [[nodiscard]] std::optional<SphereHit> meet_sphere(const shading::GpuLight& lamp, const Receiver& receiver,
+                                                     const LightChances& chances, const glm::vec3& wi,
+                                                     float distance) const;
+
+  std::vector<shading::GpuLight> lamps_;
+  std::vector<std::size_t> spheres_;  // lamps with a radius
+  std::optional<EnvironmentLight> environment_;
+  float environment_irradiance_ = 0.0f;  // its mean over all directions
+  Emitters emitters_;
+};
+
+}  // namespace velarium::reference
