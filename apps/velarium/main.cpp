@@ -53,10 +53,10 @@ int parse_and_run(int argc, char** argv) {
   CLI::App app("glTF scenes in, physically based pictures out", "velarium");
   app.set_version_flag("--version", fmt::format("velarium {}", kVersion));
   app.footer(
-      "velarium VERB --help tells more. Exit codes: 0 done, 2 usage, 3 input missing, 4 input invalid,\n"
-      "5 unsupported, 6 no usable device, 7 output not written, 70 defect, 75 try again, 130 interrupted.");
+      "velarium VERB --help tells more. Exit codes: 0 done, 1 pictures differ, 2 usage, 3 input missing,\n"
+      "4 input invalid, 5 unsupported, 6 no usable device, 7 output not written, 70 defect, 75 try again, 130 interrupted.");
   app.require_subcommand(0, 1);
-  for (const auto add : {add_render, add_reference, add_info, add_devices, add_bench, add_options, add_completion}) add(app);
+  for (const auto add : {add_render, add_reference, add_info, add_devices, add_bench, add_compare, add_options, add_completion}) add(app);
 
   std::vector<std::string> arguments = with_verb({argv + 1, argv + argc}, app);
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back

@@ -13,6 +13,7 @@ void add_reference(CLI::App& app);
 void add_info(CLI::App& app);
 void add_devices(CLI::App& app);
 void add_bench(CLI::App& app);
+void add_compare(CLI::App& app);
 void add_options(CLI::App& app);
 void add_completion(CLI::App& app);
 

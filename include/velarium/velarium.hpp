@@ -2,6 +2,7 @@
 
 // Velarium: glTF scenes in, physically based pictures out. This header is the whole public interface.
 
+#include <velarium/compare.hpp>
 #include <velarium/engine.hpp>
 #include <velarium/error.hpp>
 #include <velarium/files.hpp>
