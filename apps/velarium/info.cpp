@@ -1,6 +1,7 @@
 #include "verbs.hpp"
 
 #include "console.hpp"
+#include "flags.hpp"
 #include "report.hpp"
 #include "view_flags.hpp"
 
@@ -16,11 +17,17 @@
 namespace velarium::app {
 namespace {
 
-struct Info {
-  std::string scene;
-  bool json = false;
-  LoadOptions load;
-  void run() const;
+class Info {
+ public:
+  void declare(CLI::App& verb);
+  void run();
+
+ private:
+  std::string scene_;
+  bool json_ = false;
+  LoadOptions load_;
+  Settings settings_;
+  std::unique_ptr<Flags> flags_;
 };
 
 using Count = std::pair<const char*, std::uint64_t>;
@@ -98,9 +105,20 @@ std::string text_of_info(const SceneInfo& info) {
   return text;
 }
 
-void Info::run() const {
-  const SceneInfo info = Scene::load(scene, load).info();
-  if (json) return write_json("-", json_of_info(info));
+void Info::declare(CLI::App& verb) {
+  verb.add_option("SCENE", scene_, "a .gltf or .glb file, or builtin:NAME")->required();
+  flags_ = std::make_unique<Flags>(verb, settings_);
+  verb.add_flag("--json", json_, "as JSON");
+  flags_->add({"--allow-outside-files", "", "a scene may name files outside its own folder",
+               [this](const std::string&) { load_.allow_outside_files = true; }});
+  add_verbosity_flags(verb);
+}
+
+void Info::run() {
+  flags_->apply();
+  load_.limits = settings_.load;
+  const SceneInfo info = Scene::load(scene_, load_).info();
+  if (json_) return write_json("-", json_of_info(info));
   print(text_of_info(info));
   for (const std::string& warning : info.warnings) say_warning(warning);
 }
@@ -109,12 +127,7 @@ void Info::run() const {
 
 void add_info(CLI::App& app) {
   const auto info = std::make_shared<Info>();
-  CLI::App& verb = add_verb(app, "info", "tell what a scene holds; needs no GPU", [info] { info->run(); });
-  verb.add_option("SCENE", info->scene, "a .gltf or .glb file, or builtin:NAME")->required();
-  verb.add_flag("--json", info->json, "as JSON");
-  verb.add_flag("--allow-outside-files", info->load.allow_outside_files,
-                "a scene may name files outside its own folder");
-  add_verbosity_flags(verb);
+  info->declare(add_verb(app, "info", "tell what a scene holds; needs no GPU", [info] { info->run(); }));
 }
 
 }  // namespace velarium::app

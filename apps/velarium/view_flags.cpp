@@ -91,6 +91,7 @@ void add_view_flags(Flags& flags, View& view) {
 }
 
 void finish_view(View& view) {
+  view.load.limits = view.request.settings.load;
   if (!view.eye) {
     const char* alone = view.target ? "--target" : view.up ? "--up" : view.fov_deg ? "--fov" : nullptr;
     if (alone != nullptr) throw Error(ErrorCode::usage, std::string(alone) + " needs --eye");

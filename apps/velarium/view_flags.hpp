@@ -22,7 +22,8 @@ struct View {
 // Declares the flags that fill `view`.
 void add_view_flags(Flags& flags, View& view);
 
-// Makes the camera of --eye and its companions. Throws Error(usage) where they contradict each other.
+// What the flags together mean: the camera of --eye and its companions, and the limits of the scene. Throws Error(usage)
+// where they contradict each other.
 void finish_view(View& view);
 
 // What a picture of this scene is called where nobody says: "builtin:atrium" and "folder/atrium.gltf" become atrium.png

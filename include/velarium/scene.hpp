@@ -1,5 +1,7 @@
 #pragma once
 
+#include <velarium/settings.hpp>
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -17,6 +19,7 @@ struct Scene;
 struct LoadOptions {
   bool allow_outside_files = false;  // may a scene name files outside its own folder?
   std::string variant;               // of the materials: a name or index; "none" or empty: the usual ones
+  Settings::load_settings limits;    // group `load` of options.def; what exceeds one is refused before memory is asked for
 };
 
 // What `velarium info` tells.
@@ -40,7 +43,7 @@ struct SceneInfo {
 class Scene {
  public:
   // A .gltf or .glb file, or "builtin:NAME". Throws Error(input_missing, input_invalid, unsupported), and
-  // Error(usage) that lists the variants where LoadOptions::variant is not among them.
+  // Error(usage) that lists the variants where LoadOptions::variant is not among them, or names a limit out of its range.
   [[nodiscard]] static Scene load(const std::filesystem::path& file, const LoadOptions& options = {});
   [[nodiscard]] static std::vector<std::string> builtin_names();
 

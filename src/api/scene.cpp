@@ -6,6 +6,7 @@
 #include "scene/scene.hpp"
 
 #include <velarium/error.hpp>
+#include <velarium/options.hpp>
 
 namespace velarium {
 namespace {
@@ -72,16 +73,27 @@ void count_moment(const scene::Scene& scene, SceneInfo& info) {
   info.bounds_max = to_array(moment.bounds.max);
 }
 
+// Programs set members of LoadOptions directly. Their texts, read back, go through the checks of the options table.
+void check_limits(const Settings::load_settings& limits) {
+  Settings settings, read_back;
+  settings.load = limits;
+  for (const OptionInfo& option : option_table()) {
+    if (option.key.starts_with("load.")) set_option(read_back, option.key, get_option(settings, option.key));
+  }
+}
+
 }  // namespace
 
 Scene Scene::load(const std::filesystem::path& file, const LoadOptions& options) {
+  check_limits(options.limits);
   const std::string name = file.string();
   if (name.starts_with(kBuiltinPrefix)) {
     if (!options.variant.empty()) throw Error(ErrorCode::usage, name, "a built-in scene has no variants");
     return Scene(std::make_shared<scene::Scene>(scene::builtin_scene(name.substr(kBuiltinPrefix.size()))));
   }
-  return Scene(std::make_shared<scene::Scene>(
-      scene::read_gltf(file, {.allow_outside_files = options.allow_outside_files, .variant = options.variant})));
+  return Scene(std::make_shared<scene::Scene>(scene::read_gltf(
+      file,
+      {.allow_outside_files = options.allow_outside_files, .variant = options.variant, .limits = options.limits})));
 }
 
 std::vector<std::string> Scene::builtin_names() {

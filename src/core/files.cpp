@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
+#include <functional>
 #include <mutex>
 #include <set>
 #include <string>
@@ -134,9 +135,9 @@ fs::path behind_links(const fs::path& file) {
   return fs::is_symlink(fs::symlink_status(file, ignored)) ? fs::weakly_canonical(file, ignored) : file;
 }
 
-}  // namespace
-
-std::vector<std::byte> read_file(const fs::path& file, std::uint64_t max_bytes) {
+// `refusal` ends a sentence about a file of so many bytes, or of that many at least.
+std::vector<std::byte> read_at_most(const fs::path& file, std::uint64_t max_bytes,
+                                    const std::function<std::string(std::uint64_t)>& refusal) {
   const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
   if (in.get() < 0 || ::fstat(in.get(), &status) != 0) {
@@ -144,10 +145,15 @@ std::vector<std::byte> read_file(const fs::path& file, std::uint64_t max_bytes) 
   }
   if (S_ISDIR(status.st_mode)) throw Error(ErrorCode::input_missing, file, "is a directory");
 
+  const bool has_size = S_ISREG(status.st_mode);
+  const auto check = [&](std::uint64_t bytes) {
+    if (bytes > max_bytes) throw Error(ErrorCode::input_invalid, file, "is " + refusal(bytes));
+  };
+  if (has_size) check(static_cast<std::uint64_t>(status.st_size));
+
   // One byte more than the size, so that the end of a file that does not grow is seen without growing the buffer.
   constexpr std::size_t kPipeBytes = 1 << 16;
-  std::vector<std::byte> data(
-      std::min<std::uint64_t>(S_ISREG(status.st_mode) ? status.st_size : kPipeBytes, max_bytes) + 1);
+  std::vector<std::byte> data(has_size ? static_cast<std::size_t>(status.st_size) + 1 : kPipeBytes);
   std::size_t size = 0;
   while (true) {
     const ssize_t got = ::read(in.get(), data.data() + size, data.size() - size);
@@ -155,13 +161,23 @@ std::vector<std::byte> read_file(const fs::path& file, std::uint64_t max_bytes) 
     if (got < 0) throw Error(ErrorCode::input_missing, file, "cannot be read: " + reason(errno));
     if (got == 0) break;
     size += static_cast<std::size_t>(got);
-    if (size > max_bytes) {
-      throw Error(ErrorCode::input_invalid, file, fmt::format("is larger than the limit of {} bytes", max_bytes));
-    }
+    check(size);
     if (size == data.size()) data.resize(2 * data.size());
   }
   data.resize(size);
   return data;
+}
+
+}  // namespace
+
+std::vector<std::byte> read_file(const fs::path& file, std::uint64_t max_bytes) {
+  return read_at_most(file, max_bytes, [&](std::uint64_t bytes) {
+    return fmt::format("{} bytes, more than the limit of {}", bytes, max_bytes);
+  });
+}
+
+std::vector<std::byte> read_file(const fs::path& file, const Budget& budget) {
+  return read_at_most(file, budget.left(), [&](std::uint64_t bytes) { return budget.refusal(bytes); });
 }
 
 void write_file(const fs::path& file, std::span<const std::byte> data) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/budget.hpp"
+
 #include <velarium/files.hpp>
 
 #include <cstddef>
@@ -14,6 +16,8 @@ namespace velarium {
 // The whole file. Throws Error(input_missing) where it cannot be opened or is a directory,
 // Error(input_invalid) where it is larger than `max_bytes`.
 [[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& file, std::uint64_t max_bytes);
+// The same where the largest size is a budget of the user's; the error says how to raise it. Spends nothing.
+[[nodiscard]] std::vector<std::byte> read_file(const std::filesystem::path& file, const Budget& budget);
 
 // Writes under a temporary name in the same folder, then renames; leaves nothing behind on failure. A signal that ends
 // the program without unwinding: see remove_unfinished_files(). A symbolic link is followed; a device or a pipe is

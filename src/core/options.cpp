@@ -106,6 +106,7 @@ std::vector<Row> make_rows() {
 #define VEL_GROUP(group, help)
 #define VEL_BOOL(group, name, value, help) VEL_ROW(group, name, 0, 0, "", help)
 #define VEL_INT(group, name, value, min, max, unit, help) VEL_ROW(group, name, min, max, unit, help)
+#define VEL_COUNT(group, name, value, min, max, unit, help) VEL_ROW(group, name, min, max, unit, help)
 #define VEL_FLOAT(group, name, value, min, max, unit, help) VEL_ROW(group, name, min, max, unit, help)
 #define VEL_ENUM(group, name, Type, value, help) VEL_ROW(group, name, 0, 0, "", help)
 #define VEL_END(group)
@@ -114,6 +115,7 @@ std::vector<Row> make_rows() {
 #undef VEL_GROUP
 #undef VEL_BOOL
 #undef VEL_INT
+#undef VEL_COUNT
 #undef VEL_FLOAT
 #undef VEL_ENUM
 #undef VEL_END
@@ -163,6 +165,7 @@ std::string_view option_group_help(std::string_view group) {
   if (group == #name) return help;
 #define VEL_BOOL(group, name, value, help)
 #define VEL_INT(group, name, value, min, max, unit, help)
+#define VEL_COUNT(group, name, value, min, max, unit, help)
 #define VEL_FLOAT(group, name, value, min, max, unit, help)
 #define VEL_ENUM(group, name, Type, value, help)
 #define VEL_END(group)
@@ -170,6 +173,7 @@ std::string_view option_group_help(std::string_view group) {
 #undef VEL_GROUP
 #undef VEL_BOOL
 #undef VEL_INT
+#undef VEL_COUNT
 #undef VEL_FLOAT
 #undef VEL_ENUM
 #undef VEL_END

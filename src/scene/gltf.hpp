@@ -7,21 +7,15 @@
 
 #include "scene/scene.hpp"
 
+#include <velarium/settings.hpp>
+
 #include <filesystem>
 #include <string>
 
 namespace velarium::scene {
 
-struct GltfLimits {                           // checked before anything of that size is allocated
-  std::uint64_t file_bytes = 4ull << 30;      // of one file, and of all buffers together
-  std::uint64_t elements = 1ull << 28;        // of one accessor
-  std::uint64_t scene_elements = 1ull << 28;  // of all accessors, counting each use; a matrix is four
-  std::uint64_t image_pixels = 1ull << 28;    // of one image
-  std::uint64_t scene_pixels = 1ull << 31;    // of all images
-  std::uint32_t image_size = 16384;           // width or height
-  std::uint32_t nodes = 1u << 20;
-  std::uint32_t depth = 256;  // of the node tree, and of JSON
-};
+// The group `load` of the options: checked before anything of that size is allocated.
+using GltfLimits = Settings::load_settings;
 
 struct GltfOptions {
   bool allow_outside_files = false;  // may URIs leave the file's folder?

@@ -110,7 +110,7 @@ Elements elements_of(const Value& at, const BufferView& view, const Value& offse
 }  // namespace
 
 Accessors::Accessors(Value root, const Buffers& buffers, const GltfLimits& limits)
-    : buffers_(buffers), accessor_limit_(limits.elements), elements_left_(limits.scene_elements) {
+    : buffers_(buffers), elements_("load.elements", limits.elements) {
   const std::vector<Value> accessors = root["accessors"].elements();
   accessors_.reserve(accessors.size());
   for (const Value& accessor : accessors) read_accessor(accessor);
@@ -122,9 +122,7 @@ void Accessors::read_accessor(const Value& at) {
   accessor.format = read_format(at);
   const Value count = at.require("count");
   accessor.elements.count = static_cast<std::uint32_t>(count.integer(1, UINT32_MAX));
-  if (accessor.elements.count > accessor_limit_) {
-    count.fail(fmt::format("is {}, more than the limit of {} elements", accessor.elements.count, accessor_limit_));
-  }
+  if (!elements_.fits(accessor.elements.count)) count.fail("is " + elements_.refusal(accessor.elements.count));
   if (const Value reference = at["bufferView"]) {
     const BufferView& view = buffers_.view(reference);
     const std::uint32_t stride = view.stride.value_or(padded_size(accessor.format));
@@ -174,8 +172,8 @@ void Accessors::check(const Value& reference) const {
 }
 
 void Accessors::claim(const Value& place, std::uint64_t elements) {
-  if (elements > elements_left_) place.fail("with it, the scene exceeds the limit of elements in all");
-  elements_left_ -= elements;
+  if (!elements_.fits(elements)) place.fail("with it, the scene has " + elements_.refusal(elements));
+  elements_.spend(elements);
 }
 
 }  // namespace velarium::scene::gltf

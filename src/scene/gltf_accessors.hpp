@@ -2,6 +2,7 @@
 
 // Accessors: typed arrays over buffer views, widened to what the scene tables hold.
 
+#include "core/budget.hpp"
 #include "scene/gltf_buffers.hpp"
 #include "scene/gltf_json.hpp"
 
@@ -82,7 +83,7 @@ class Accessors {
   static void fill_floats(const Accessor& accessor, float* out, std::size_t float_count);
 
   const Buffers& buffers_;
-  std::uint64_t accessor_limit_, elements_left_;
+  Budget elements_;
   std::vector<Accessor> accessors_;
 };
 

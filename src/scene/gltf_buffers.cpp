@@ -16,7 +16,7 @@ constexpr std::uint32_t kMinStride = 4, kMaxStride = 252;
 }  // namespace
 
 Buffers::Buffers(Value root, const Container& container, const GltfOptions& options)
-    : bytes_left_(options.limits.file_bytes) {
+    : bytes_("load.bytes", options.limits.bytes) {
   const std::vector<Value> buffers = root["buffers"].elements();
   for (std::uint32_t i = 0; i < buffers.size(); ++i) read_buffer(buffers[i], i, container, options);
   for (const Value& view : root["bufferViews"].elements()) read_view(view);
@@ -27,9 +27,9 @@ void Buffers::read_buffer(const Value& buffer, std::uint32_t index, const Contai
   const std::uint64_t length = buffer.require("byteLength").integer(1, kAnyLength);
   std::span<const std::byte> bytes;
   if (const Value uri = buffer["uri"]) {
-    owned_.push_back(load_uri(uri, options, bytes_left_));
+    owned_.push_back(load_uri(uri, options, bytes_));
     bytes = owned_.back();
-    bytes_left_ -= bytes.size();
+    bytes_.spend(bytes.size());
   } else if (index == 0 && container.binary && !is_meshopt_fallback(buffer)) {
     bytes = *container.binary;
   } else {
@@ -79,9 +79,9 @@ void Buffers::decompress(const Value& extension, BufferView& view) {
     extension["byteStride"].fail(fmt::format("is {}, but the view's own is {}", layout.stride, *view.stride));
   }
   if (!compressed.data) extension["buffer"].fail("has no data");
-  if (view.length > bytes_left_) extension.fail("with it, the scene exceeds the limit of bytes in all");
+  if (!bytes_.fits(view.length)) extension.fail("with it there are " + bytes_.refusal(view.length));
   owned_.push_back(decode_meshopt(layout, {compressed.data, compressed.length}));
-  bytes_left_ -= view.length;
+  bytes_.spend(view.length);
   view.data = owned_.back().data();
 }
 

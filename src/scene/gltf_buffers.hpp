@@ -2,6 +2,7 @@
 
 // Buffers, read once, and the views into them.
 
+#include "core/budget.hpp"
 #include "scene/gltf_container.hpp"
 #include "scene/gltf_json.hpp"
 
@@ -46,7 +47,7 @@ class Buffers {
   };
   std::vector<Buffer> buffers_;
   std::vector<BufferView> views_;
-  std::uint64_t bytes_left_ = 0;
+  Budget bytes_;  // of owned_
 };
 
 }  // namespace velarium::scene::gltf

@@ -88,7 +88,7 @@ void check_is_json(const std::filesystem::path& file, std::span<const std::byte>
 
 Container open_container(const std::filesystem::path& file, const GltfLimits& limits) {
   Container container;
-  container.bytes = read_file(file, limits.file_bytes);
+  container.bytes = read_file(file, Budget("load.bytes", limits.bytes));
   if (container.bytes.empty()) throw Error(ErrorCode::input_invalid, file, "the file is empty");
   std::uint32_t magic = 0;
   std::memcpy(&magic, container.bytes.data(), std::min(sizeof magic, container.bytes.size()));

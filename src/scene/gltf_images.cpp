@@ -1,3 +1,4 @@
+#include "core/budget.hpp"
 #include "core/jobs.hpp"
 #include "image/image.hpp"
 #include "scene/gltf_parts.hpp"
@@ -69,7 +70,7 @@ void load_source(Source& source, const Buffers& buffers, const GltfOptions& opti
     source.bytes = {view.data, view.length};
     return;
   }
-  source.owned = load_uri(source.image["uri"], options, options.limits.file_bytes);
+  source.owned = load_uri(source.image["uri"], options, Budget("load.bytes", options.limits.bytes));
   source.bytes = source.owned;
 }
 
@@ -115,16 +116,21 @@ std::vector<Source> assign_images(Context& context, const Buffers& buffers) {
 }
 
 void check_sizes(const std::vector<Source>& sources, const GltfLimits& limits) {
-  std::uint64_t left = limits.scene_pixels;
+  const Budget sides("load.image_size", limits.image_size);
+  Budget pixels("load.pixels", limits.pixels);
   for (const Source& source : sources) {
     const image::Size size =
         at_image(source, [&](const std::string& what) { return image::peek_size(source.bytes, what); });
-    const std::uint64_t pixels = std::uint64_t{size.width} * size.height;
-    if (std::max(size.width, size.height) > limits.image_size || pixels > std::min(limits.image_pixels, left)) {
-      source.image.fail(
-          fmt::format("an image of {} x {} pixels exceeds the limits; scale it down", size.width, size.height));
+    const std::uint32_t side = std::max(size.width, size.height);
+    if (!sides.fits(side)) {
+      source.image.fail(fmt::format("is {} x {}: a side of {}", size.width, size.height, sides.refusal(side)));
     }
-    left -= pixels;
+    const std::uint64_t area = std::uint64_t{size.width} * size.height;
+    if (!pixels.fits(area)) {
+      source.image.fail(
+          fmt::format("is {} x {}: with it, the scene shows {}", size.width, size.height, pixels.refusal(area)));
+    }
+    pixels.spend(area);
   }
 }
 
@@ -138,7 +144,7 @@ void read_images(Context& context, const Buffers& buffers) {
   context.scene.images.resize(sources.size());
   parallel_for(sources.size(), [&](std::size_t i) {
     image::ByteImage decoded = at_image(sources[i], [&](const std::string& what) {
-      return image::decode(sources[i].bytes, what, {limits.image_pixels, limits.image_size});
+      return image::decode(sources[i].bytes, what, {limits.pixels, static_cast<std::uint32_t>(limits.image_size)});
     });
     sources[i].owned = {};
     Image& image = context.scene.images[i];

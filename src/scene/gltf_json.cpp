@@ -1,6 +1,7 @@
 #include "scene/gltf_json.hpp"
 
 #include "core/assert.hpp"
+#include "core/budget.hpp"
 #include "scene/scene.hpp"
 
 #include <velarium/error.hpp>
@@ -74,7 +75,7 @@ bool find(const Json& tree, const Json& wanted, std::string& pointer) {
 class Builder final : public nlohmann::json_sax<Json> {
  public:
   Builder(const std::filesystem::path& file, std::string_view text, std::uint32_t max_depth, Json& root)
-      : file_(file), text_(text), max_depth_(max_depth), root_(root) {}
+      : file_(file), text_(text), levels_("load.depth", max_depth), root_(root) {}
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
@@ -130,8 +131,9 @@ class Builder final : public nlohmann::json_sax<Json> {
   }
 
   bool open(Json&& value) {
-    if (open_.size() >= max_depth_) {
-      throw Error(ErrorCode::input_invalid, file_, fmt::format("the JSON nests deeper than {} levels", max_depth_));
+    const std::size_t depth = open_.size() + 1;
+    if (!levels_.fits(depth)) {
+      throw Error(ErrorCode::input_invalid, file_, "the JSON nests to a depth of " + levels_.refusal(depth));
     }
     open_.push_back(place(std::move(value)));
     return true;
@@ -144,7 +146,7 @@ class Builder final : public nlohmann::json_sax<Json> {
 
   const std::filesystem::path& file_;
   std::string_view text_;
-  std::uint32_t max_depth_;
+  const Budget levels_;
   Json& root_;
   std::vector<Json*> open_;  // stable: an array grows only while none of its elements is open
   Json* member_ = nullptr;   // the value of the key read last

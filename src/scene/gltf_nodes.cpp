@@ -70,7 +70,8 @@ void set_parents(const std::vector<Value>& values, std::vector<Node>& nodes) {
 }
 
 // Each node has at most one parent, so whatever the roots do not reach is in a loop or below one.
-void check_forest(const std::vector<Value>& values, const std::vector<Node>& nodes, std::uint32_t max_depth) {
+void check_forest(const std::vector<Value>& values, const std::vector<Node>& nodes, std::uint64_t max_depth) {
+  const Budget levels("load.depth", max_depth);
   std::vector<std::uint32_t> depth(nodes.size(), 0), open;  // depth 0: not reached yet
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     if (nodes[i].parent != kNone) continue;
@@ -82,7 +83,7 @@ void check_forest(const std::vector<Value>& values, const std::vector<Node>& nod
     open.pop_back();
     for (const std::uint32_t child : nodes[parent].children) {
       depth[child] = depth[parent] + 1;
-      if (depth[child] > max_depth) values[child].fail(fmt::format("lies deeper than {} levels", max_depth));
+      if (!levels.fits(depth[child])) values[child].fail("lies at a depth of " + levels.refusal(depth[child]));
       open.push_back(child);
     }
   }
@@ -111,9 +112,8 @@ std::vector<std::uint32_t> read_scene_roots(const Value& value, const std::vecto
 void read_nodes(Context& context) {
   const Value list = context.root["nodes"];
   const std::vector<Value> values = list.elements();
-  if (values.size() > context.options.limits.nodes) {
-    list.fail(fmt::format("has {} nodes, more than the limit of {}", values.size(), context.options.limits.nodes));
-  }
+  const Budget budget("load.nodes", context.options.limits.nodes);
+  if (!budget.fits(values.size())) list.fail("has " + budget.refusal(values.size()));
   std::vector<Node>& nodes = context.scene.nodes;
   nodes.reserve(values.size());
   for (const Value& value : values) {

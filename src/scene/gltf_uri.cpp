@@ -124,7 +124,7 @@ fs::path resolved_file(const Value& uri, const fs::path& relative, const GltfOpt
 }
 
 std::vector<std::byte> file_uri_bytes(const Value& uri, std::string_view text, const GltfOptions& options,
-                                      std::uint64_t max_bytes) {
+                                      const Budget& budget) {
   const std::string_view first_segment = text.substr(0, text.find('/'));
   if (first_segment.find(':') != std::string_view::npos) {
     uri.fail("has a scheme; only data URIs and relative file names are read");
@@ -140,15 +140,17 @@ std::vector<std::byte> file_uri_bytes(const Value& uri, std::string_view text, c
                 fmt::format("{}: '{}' {}", uri.pointer(), name,
                             fs::exists(status) ? "is not a regular file" : "does not exist; put it beside the scene"));
   }
-  return read_file(file, max_bytes);
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (!error && !budget.fits(size)) uri.fail(fmt::format("with '{}' there are {}", name, budget.refusal(size)));
+  return read_file(file, budget);
 }
 
 }  // namespace
 
-std::vector<std::byte> load_uri(const Value& uri, const GltfOptions& options, std::uint64_t max_bytes) {
+std::vector<std::byte> load_uri(const Value& uri, const GltfOptions& options, const Budget& budget) {
   const std::string_view text = uri.text();
-  if (!text.starts_with(kDataScheme)) return file_uri_bytes(uri, text, options, max_bytes);
-  if (text.size() > max_bytes) uri.fail(fmt::format("its data exceeds the limit of {} bytes", max_bytes));
+  if (!text.starts_with(kDataScheme)) return file_uri_bytes(uri, text, options, budget);
+  if (!budget.fits(text.size())) uri.fail("with its data there are " + budget.refusal(text.size()));
   return data_uri_bytes(uri, text.substr(kDataScheme.size()));
 }
 

@@ -9,10 +9,8 @@ namespace {
 // Far above what an input of some kilobytes needs, far below what takes noticeable time.
 scene::GltfOptions small_limits() {
   scene::GltfOptions options;
-  options.limits.elements = 1 << 14;
-  options.limits.scene_elements = 1 << 16;
-  options.limits.image_pixels = 1 << 18;
-  options.limits.scene_pixels = 1 << 20;
+  options.limits.elements = 1 << 16;
+  options.limits.pixels = 1 << 20;
   options.limits.image_size = 1 << 12;
   options.limits.nodes = 1 << 10;
   return options;

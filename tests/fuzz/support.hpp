@@ -1,10 +1,10 @@
 #pragma once
 
+#include "support/temporary_folder.hpp"
 #include "targets.hpp"
 
 #include <velarium/error.hpp>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -29,20 +29,7 @@ inline std::string_view text_of(Bytes input) {
 // for that, because a fuzzer writes thousands of files a second.
 class InputFile {
  public:
-  explicit InputFile(const char* name) {
-    const std::filesystem::path memory = "/dev/shm";
-    const auto parent = std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
-    std::string pattern = (parent / "velarium-fuzz-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder in " + parent.string());
-    folder_ = pattern;
-    file_ = folder_ / name;
-  }
-  ~InputFile() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  InputFile(const InputFile&) = delete;
-  InputFile& operator=(const InputFile&) = delete;
+  explicit InputFile(const char* name) : folder_(fast_place()), file_(folder_.path() / name) {}
 
   const std::filesystem::path& write(Bytes input) const {
     std::ofstream(file_, std::ios::binary) << text_of(input);
@@ -50,7 +37,13 @@ class InputFile {
   }
 
  private:
-  std::filesystem::path folder_, file_;
+  static std::filesystem::path fast_place() {
+    const std::filesystem::path memory = "/dev/shm";
+    return std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path();
+  }
+
+  test::TemporaryFolder folder_;
+  std::filesystem::path file_;
 };
 
 }  // namespace velarium::fuzz

@@ -7,7 +7,7 @@
 namespace velarium::fuzz {
 
 void uri(Bytes input) {
-  constexpr std::uint64_t kMaxBytes = 1 << 16;
+  const Budget budget("load.bytes", 1 << 16);
   // The folder holds the file itself and nothing else.
   static const InputFile file("input.gltf");
   using nlohmann::json;
@@ -15,7 +15,7 @@ void uri(Bytes input) {
       json{{"uri", text_of(input)}}.dump(-1, ' ', false, json::error_handler_t::replace);  // JSON is always UTF-8
   expect_orderly([&] {
     scene::gltf::Document document(file.write(input), text, 8);
-    static_cast<void>(scene::gltf::load_uri(document.root()["uri"], {}, kMaxBytes));
+    static_cast<void>(scene::gltf::load_uri(document.root()["uri"], {}, budget));
   });
 }
 

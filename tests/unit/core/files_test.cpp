@@ -59,6 +59,8 @@ TEST_F(Files, ReadingRefusesWhatIsMissingAFolderOrTooLarge) {
   EXPECT_EQ(code_of([&] { (void)read_file(folder_ / "none", 10); }), ErrorCode::input_missing);
   EXPECT_EQ(code_of([&] { (void)read_file(folder_, 10); }), ErrorCode::input_missing);
   EXPECT_EQ(code_of([&] { (void)read_file(folder_ / "a", 4); }), ErrorCode::input_invalid);
+  EXPECT_EQ(code_of([&] { (void)read_file(folder_ / "a", Budget("load.bytes", 4)); }), ErrorCode::input_invalid);
+  EXPECT_EQ(read_file(folder_ / "a", Budget("load.bytes", 5)).size(), 5u);
   EXPECT_EQ(read_file(folder_ / "a", 5).size(), 5u);
 }
 

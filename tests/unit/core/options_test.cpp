@@ -62,6 +62,16 @@ TEST(Options, RangesAreInclusiveAndChecked) {
   EXPECT_EQ(refusal("frame.spp", "0"), "frame.spp: '0' is not a whole number from 1 to 65536 frames");
 }
 
+TEST(Options, CountsHave64Bits) {
+  Settings settings;
+  set_option(settings, "load.bytes", "17592186044416");
+  EXPECT_EQ(settings.load.bytes, 1ull << 44);
+  EXPECT_EQ(get_option(settings, "load.bytes"), "17592186044416");
+  for (const char* bad : {"0", "-1", "17592186044417", "1e6", "4G", "99999999999999999999"}) {
+    EXPECT_NE(refusal("load.bytes", bad), "accepted") << bad;
+  }
+}
+
 TEST(Options, RealsTakeSignsAndExponentsButNoNan) {
   Settings settings;
   set_option(settings, "display.exposure", "-2.5");

@@ -32,8 +32,8 @@ TEST(GltfJson, DepthIsBounded) {
     return "{\"a\":" + std::string(levels - 1, '[') + std::string(levels - 1, ']') + "}";
   };
   EXPECT_NO_THROW(Document("file", nested(8), 8));
-  refuse(nested(9), "deeper than 8", 8);
-  refuse("{\"a\":" + std::string(1'000'000, '['), "deeper than 256");
+  refuse(nested(9), "the JSON nests to a depth of 9 levels, more than load.depth=8 allows", 8);
+  refuse("{\"a\":" + std::string(1'000'000, '['), "load.depth=256");
 }
 
 TEST(GltfJson, DuplicateKeysAreRefusedByPointer) {

@@ -267,11 +267,17 @@ TEST(GltfImage, WrongOnesAreRefused) {
 TEST(GltfImage, SizesAreBoundedBeforeDecoding) {
   std::string huge = red_png();
   huge.replace(16, 8, std::string("\0\x01\x86\xa0\0\x01\x86\xa0", 8));  // 100000 x 100000
-  expect_refused(textured(kShowsTexture, {{"uri", "data:;base64," + base64(huge)}}), "/images/0");
+  const Model huge_model = textured(kShowsTexture, {{"uri", "data:;base64," + base64(huge)}});
+  expect_refused(huge_model,
+                 "/images/0: is 100000 x 100000: a side of 100000 pixels, more than load.image_size=16384 allows; "
+                 "load.image_size cannot be more than 32768");
   GltfOptions options;
-  options.limits.scene_pixels = 0;
-  expect_refused(textured(kShowsTexture, {{"uri", "data:;base64," + base64(red_png())}}),
-                 "/images/0: an image of 1 x 1 pixels exceeds the limits", options);
+  options.limits.image_size = 100'000;
+  options.limits.pixels = 1'000'000;
+  expect_refused(huge_model,
+                 "/images/0: is 100000 x 100000: with it, the scene shows 10000000000 pixels, more than "
+                 "load.pixels=1000000 allows; -D load.pixels=10000000000 allows it",
+                 options);
 }
 
 TEST(GltfImage, ATextureWithoutOneIsWhiteWithAWarning) {

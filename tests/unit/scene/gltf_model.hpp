@@ -3,13 +3,12 @@
 // Small glTF files for tests: built in memory, written to a folder of their own, read back.
 
 #include "scene/gltf.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <velarium/error.hpp>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-
-#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -27,29 +26,16 @@ using Json = nlohmann::json;
 inline constexpr int kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123, kUnsignedInt = 5125,
                      kFloat = 5126;
 
-// A folder that is removed with everything in it.
-class TemporaryFolder {
+// A folder of small files, removed with everything in it.
+class TemporaryFolder : public velarium::test::TemporaryFolder {
  public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "velarium-gltf-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   std::filesystem::path write(const std::string& name, std::string_view content) const {
-    const std::filesystem::path file = path_ / name;
+    const std::filesystem::path file = path() / name;
     std::filesystem::create_directories(file.parent_path());
     std::filesystem::remove(file);  // truncating instead makes some file systems flush to disk, thousands of times here
     std::ofstream(file, std::ios::binary) << content;
     return file;
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 inline std::string base64(std::string_view bytes) {

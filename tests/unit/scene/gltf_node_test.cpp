@@ -65,10 +65,15 @@ Model chain(std::size_t length) {
 
 TEST(GltfNode, DepthAndNumberAreBounded) {
   EXPECT_NO_THROW(static_cast<void>(read(chain(256))));
-  expect_refused(chain(257), "/nodes/256: lies deeper than 256 levels");
+  expect_refused(
+      chain(257),
+      "/nodes/256: lies at a depth of 257 levels, more than load.depth=256 allows; -D load.depth=257 allows it");
   GltfOptions options;
+  options.limits.depth = 257;
+  EXPECT_NO_THROW(static_cast<void>(read(chain(257), options)));
   options.limits.nodes = 3;
-  expect_refused(chain(4), "/nodes: has 4 nodes, more than the limit of 3", options);
+  expect_refused(chain(4), "/nodes: has 4 nodes, more than load.nodes=3 allows; -D load.nodes=4 allows it", options);
+  EXPECT_NO_THROW(static_cast<void>(read(chain(3), options)));
 }
 
 TEST(GltfNode, ReferencesAreChecked) {

@@ -104,12 +104,15 @@ TEST(GltfUri, BuffersTogetherAreBounded) {
   folder.write("big.bin", std::string(1000, '\0'));
   Json root = {{"asset", {{"version", "2.0"}}}, {"buffers", Json::array()}};
   GltfOptions options;
-  options.limits.file_bytes = 50'000;
+  options.limits.bytes = 50'000;
   for (int i = 0; i < 50; ++i) root["buffers"].push_back({{"byteLength", 1000}, {"uri", "big.bin"}});
   EXPECT_NO_THROW(static_cast<void>(read_gltf(folder.write("model.gltf", root.dump()), options)));
   root["buffers"].push_back({{"byteLength", 1000}, {"uri", "big.bin"}});
   const auto file = folder.write("model.gltf", root.dump());
-  expect_error(ErrorCode::input_invalid, "big.bin", [&] { static_cast<void>(read_gltf(file, options)); });
+  expect_error(ErrorCode::input_invalid,
+               "model.gltf: /buffers/50/uri: with 'big.bin' there are 51000 bytes, more than load.bytes=50000 allows; "
+               "-D load.bytes=51000 allows it",
+               [&] { static_cast<void>(read_gltf(file, options)); });
 }
 
 TEST(GltfUri, BuffersHoldWhatTheyPromise) {
