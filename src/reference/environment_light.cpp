@@ -13,9 +13,12 @@
 namespace velarium::reference {
 namespace {
 
-// Cosine of the polar angle where row y begins. In double: near the poles a float's cosines stand still.
-double row_cosine(double y, std::uint32_t height) {
-  return std::cos(y * std::numbers::pi / height);
+// Cosines of the polar angles between rows, from the top pole to the other: in double, since near the poles a float's
+// cosines stand still.
+std::vector<double> cosines_between_rows(std::uint32_t height) {
+  std::vector<double> cosines(height + 1);
+  for (std::uint32_t y = 0; y <= height; ++y) cosines[y] = std::cos(y * std::numbers::pi / height);
+  return cosines;
 }
 
 const float* texel(const image::FloatImage& image, std::uint32_t x, std::uint32_t y) {
@@ -50,16 +53,12 @@ double root_mean_square(const image::FloatImage& image, std::uint32_t x, std::ui
   return std::sqrt(0.25 * sum);
 }
 
-double solid_angle(std::uint32_t row, std::uint32_t width, std::uint32_t height) {
-  return (row_cosine(row, height) - row_cosine(row + 1.0, height)) * 2.0 * std::numbers::pi / width;
-}
-
-Distribution2d distribute(const image::FloatImage& image, float intensity) {
+Distribution2d distribute(const image::FloatImage& image, const std::vector<double>& cosines, float intensity) {
   VEL_ASSERT(image.width > 0 && image.height > 0 && intensity >= 0.0f);
   std::vector<float> weights(std::size_t{image.width} * image.height);
   parallel_for(image.height, [&](std::size_t row) {
     const auto y = static_cast<std::uint32_t>(row);
-    const double factor = solid_angle(y, image.width, image.height) * intensity;
+    const double factor = (cosines[row] - cosines[row + 1]) * intensity;  // in proportion to the solid angle
     for (std::uint32_t x = 0; x < image.width; ++x)
       weights[row * image.width + x] = static_cast<float>(root_mean_square(image, x, y) * factor);
   });
@@ -73,7 +72,8 @@ EnvironmentLight::EnvironmentLight(image::FloatImage lat_long, float rotation_de
       cos_rotation_(std::cos(glm::radians(rotation_deg))),
       sin_rotation_(std::sin(glm::radians(rotation_deg))),
       intensity_(intensity),
-      pixels_(distribute(image_, intensity)) {}
+      row_cosines_(cosines_between_rows(image_.height)),
+      pixels_(distribute(image_, row_cosines_, intensity)) {}
 
 // The turn takes +z to +x; this is its inverse, as to_environment() in upload/frame_lighting.glsl.
 glm::vec3 EnvironmentLight::to_environment(const glm::vec3& d) const {
@@ -84,8 +84,10 @@ glm::vec3 EnvironmentLight::to_world(const glm::vec3& d) const {
   return {cos_rotation_ * d.x + sin_rotation_ * d.z, d.y, cos_rotation_ * d.z - sin_rotation_ * d.x};
 }
 
-float EnvironmentLight::pixel_solid_angle(std::uint32_t row) const {
-  return static_cast<float>(solid_angle(row, image_.width, image_.height));
+// The density of pixels_ covers a square; this is the solid angle of the same share of the sphere, row by row.
+float EnvironmentLight::pdf_sr_of(float pdf_square, std::uint32_t row) const {
+  const double square_sr = (row_cosines_[row] - row_cosines_[row + 1]) * 2.0 * std::numbers::pi * image_.height;
+  return pdf_square / static_cast<float>(square_sr);
 }
 
 glm::vec3 EnvironmentLight::read(const glm::vec2& uv) const {
@@ -111,22 +113,19 @@ glm::vec3 EnvironmentLight::radiance(const glm::vec3& direction_ws) const {
 EnvironmentLight::Sample EnvironmentLight::sample(const glm::vec2& u) const {
   const Distribution2d::Sample chosen = pixels_.sample(u);
   // Within the pixel even in solid angle, not in the picture: even in the cosine of the polar angle.
-  const double begin = row_cosine(chosen.cell.y, image_.height), end = row_cosine(chosen.cell.y + 1.0, image_.height);
+  const double begin = row_cosines_[chosen.cell.y], end = row_cosines_[chosen.cell.y + 1];
   const double offset = static_cast<double>(chosen.uv.y) * image_.height - chosen.cell.y;
   const double cosine = begin + offset * (end - begin);
   const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
-  const double azimuth = (chosen.uv.x - 0.5) * 2.0 * std::numbers::pi;
-  const glm::vec3 d(sine * std::cos(azimuth), cosine, sine * std::sin(azimuth));
-  const float pixels = static_cast<float>(image_.width) * static_cast<float>(image_.height);
-  return {to_world(d), intensity_ * read(shading::equirect_uv(d)),
-          chosen.pdf / (pixels * pixel_solid_angle(chosen.cell.y))};
+  const float azimuth = (chosen.uv.x - 0.5f) * shading::kTwoPi;
+  const glm::vec3 d(static_cast<float>(sine) * std::cos(azimuth), cosine, static_cast<float>(sine) * std::sin(azimuth));
+  return {to_world(d), intensity_ * read(shading::equirect_uv(d)), pdf_sr_of(chosen.pdf, chosen.cell.y)};
 }
 
 float EnvironmentLight::pdf_sr(const glm::vec3& wi) const {
   const glm::vec2 uv = shading::equirect_uv(to_environment(wi));
   const auto row = std::min(static_cast<std::uint32_t>(uv.y * static_cast<float>(image_.height)), image_.height - 1);
-  const float pixels = static_cast<float>(image_.width) * static_cast<float>(image_.height);
-  return pixels_.pdf(uv) / (pixels * pixel_solid_angle(row));
+  return pdf_sr_of(pixels_.pdf(uv), row);
 }
 
 }  // namespace velarium::reference

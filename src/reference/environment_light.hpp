@@ -6,6 +6,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <cstdint>
+#include <vector>
+
 namespace velarium::reference {
 
 // Light from far away: an equirectangular picture as docs/conventions.md defines it, read between the centres of its
@@ -40,11 +43,12 @@ class EnvironmentLight {
  private:
   [[nodiscard]] glm::vec3 to_environment(const glm::vec3& d) const;
   [[nodiscard]] glm::vec3 to_world(const glm::vec3& d) const;
-  [[nodiscard]] float pixel_solid_angle(std::uint32_t row) const;
+  [[nodiscard]] float pdf_sr_of(float pdf_square, std::uint32_t row) const;
   [[nodiscard]] glm::vec3 read(const glm::vec2& uv) const;
 
   image::FloatImage image_;
   float cos_rotation_, sin_rotation_, intensity_;
+  std::vector<double> row_cosines_;  // of the polar angles between rows, height + 1
   Distribution2d pixels_;
 };
 
