@@ -23,10 +23,12 @@ VerbRow row_of_verb(const CLI::App& verb) {
   for (const CLI::Option* option : verb.get_options()) {
     if (option->get_group().empty()) continue;  // hidden from --help as well
     if (option->get_positional()) {
-      row.operand = option->get_name(true);
+      // A verb may take two, of which the help tells in one breath.
+      const bool first = row.operand.empty();
+      row.operand += (first ? "" : " ") + option->get_name(true);
       row.operand_value = option->get_type_name();
       if (row.operand_value == "TEXT") row.operand_value = row.operand;  // the parser's word for any string
-      row.operand_help = option->get_description();
+      row.operand_help += (first ? "" : "; ") + option->get_description();
       row.operand_required = option->get_required();
     } else {
       row.flags.push_back(row_of_flag(*option));

@@ -18,7 +18,7 @@ struct FlagRow {
 
 struct VerbRow {
   std::string name, help;
-  std::string operand, operand_help;  // "SCENE"; empty: the verb takes none
+  std::string operand, operand_help;  // "SCENE" or "PICTURE REFERENCE"; empty: the verb takes none
   std::string operand_value;          // what it may be, as FlagRow::value
   bool operand_required = false;
   std::vector<FlagRow> flags;

@@ -63,12 +63,11 @@ class Compare {
   void check_outputs() const;
   void write_outputs(const Picture& picture, const Picture& reference, const Comparison& comparison) const;
 
-  std::vector<std::string> files_;  // the picture, the reference
   std::string layer_;
   fs::path mask_, error_map_, html_, json_;
   Decision decision_;
   std::optional<double> threshold_;
-  CompareOptions options_;
+  CompareOptions options_;  // its names are those of the files
 };
 
 void Compare::declare(CLI::App& verb) {
@@ -81,9 +80,11 @@ void Compare::declare(CLI::App& verb) {
     };
     verb.add_option_function<std::string>(name, named, help)->type_name(value);
   };
-  verb.add_option("PICTURE REFERENCE", files_, "the picture and the reference: .png .jpg .webp .exr .hdr, of one size")
+  verb.add_option("PICTURE", options_.name, "a file that ends in .png .jpg .webp .exr .hdr")
       ->type_name("FILE")
-      ->expected(2)
+      ->required();
+  verb.add_option("REFERENCE", options_.reference_name, "what it should be, of the same size")
+      ->type_name("FILE")
       ->required();
   add("--metric", metric_names(), "which number decides [flip]",
       [this](const std::string& text) { decision_.metric = parse_metric(text); });
@@ -132,9 +133,8 @@ void Compare::write_outputs(const Picture& picture, const Picture& reference, co
 void Compare::run() {
   decision_.threshold = threshold_.value_or(info_of(decision_.metric).best);
   check_outputs();
-  options_.name = files_[0];
-  options_.reference_name = files_[1];
-  const Picture picture = load_picture(files_[0], layer_), reference = load_picture(files_[1], layer_);
+  const Picture picture = load_picture(options_.name, layer_);
+  const Picture reference = load_picture(options_.reference_name, layer_);
   if (!mask_.empty()) options_.mask = load_picture(mask_);
   check_interrupt();
 
@@ -144,7 +144,7 @@ void Compare::run() {
   write_outputs(picture, reference, comparison);
   const std::string verdict = verdict_of(comparison, decision_);
   if (!comparison.within(decision_.metric, decision_.threshold))
-    throw Error(ErrorCode::comparison_differs, files_[0], fmt::format("{} ({})", verdict, files_[1]));
+    throw Error(ErrorCode::comparison_differs, options_.name, fmt::format("{} ({})", verdict, options_.reference_name));
   if (verbosity() == Verbosity::verbose) say_note(verdict);
 }
 
