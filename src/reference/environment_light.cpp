@@ -21,13 +21,13 @@ std::vector<double> cosines_between_rows(std::uint32_t height) {
   return cosines;
 }
 
-const float* texel(const image::FloatImage& image, std::uint32_t x, std::uint32_t y) {
-  return &image.rgba[4 * (std::size_t{y} * image.width + x)];
+glm::vec3 texel(const image::FloatImage& image, std::uint32_t x, std::uint32_t y) {
+  const float* p = &image.rgba[4 * (std::size_t{y} * image.width + x)];
+  return {p[0], p[1], p[2]};
 }
 
 double texel_luminance(const image::FloatImage& image, std::uint32_t x, std::uint32_t y) {
-  const float* p = texel(image, x, y);
-  return 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
+  return shading::luminance(texel(image, x, y));
 }
 
 // Mean over the unit square of the square of what interpolates four corners; a and d are opposite.
@@ -53,15 +53,18 @@ double root_mean_square(const image::FloatImage& image, std::uint32_t x, std::ui
   return std::sqrt(0.25 * sum);
 }
 
+// Weights of pixels; none where the light is switched off.
 Distribution2d distribute(const image::FloatImage& image, const std::vector<double>& cosines, float intensity) {
   VEL_ASSERT(image.width > 0 && image.height > 0 && intensity >= 0.0f);
   std::vector<float> weights(std::size_t{image.width} * image.height);
-  parallel_for(image.height, [&](std::size_t row) {
-    const auto y = static_cast<std::uint32_t>(row);
-    const double factor = (cosines[row] - cosines[row + 1]) * intensity;  // in proportion to the solid angle
-    for (std::uint32_t x = 0; x < image.width; ++x)
-      weights[row * image.width + x] = static_cast<float>(root_mean_square(image, x, y) * factor);
-  });
+  if (intensity > 0.0f) {
+    parallel_for(image.height, [&](std::size_t row) {
+      const auto y = static_cast<std::uint32_t>(row);
+      const double height = cosines[row] - cosines[row + 1];  // in proportion to the solid angle
+      for (std::uint32_t x = 0; x < image.width; ++x)
+        weights[row * image.width + x] = static_cast<float>(root_mean_square(image, x, y) * height);
+    });
+  }
   return Distribution2d(weights, image.width, image.height);
 }
 
@@ -99,11 +102,9 @@ glm::vec3 EnvironmentLight::read(const glm::vec2& uv) const {
   const auto left = static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(x)) + image_.width) % image_.width;
   const auto above = static_cast<std::uint32_t>(y);
   const std::uint32_t right = (left + 1) % image_.width, below = std::min(above + 1, image_.height - 1);
-  const auto at = [&](std::uint32_t column, std::uint32_t row) {
-    const float* p = texel(image_, column, row);
-    return glm::vec3(p[0], p[1], p[2]);
-  };
-  return glm::mix(glm::mix(at(left, above), at(right, above), fx), glm::mix(at(left, below), at(right, below), fx), fy);
+  const glm::vec3 upper = glm::mix(texel(image_, left, above), texel(image_, right, above), fx);
+  const glm::vec3 lower = glm::mix(texel(image_, left, below), texel(image_, right, below), fx);
+  return glm::mix(upper, lower, fy);
 }
 
 glm::vec3 EnvironmentLight::radiance(const glm::vec3& direction_ws) const {

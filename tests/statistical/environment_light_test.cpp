@@ -20,11 +20,10 @@ vec3 pixel_direction(const FloatImage& image, std::uint32_t x, std::uint32_t y) 
 
 FloatImage make_picture(std::uint32_t width, std::uint32_t height, const std::function<vec3(const vec3&)>& radiance) {
   FloatImage image{width, height, {}};
-  for (std::uint32_t y = 0; y < height; ++y) {
-    for (std::uint32_t x = 0; x < width; ++x) {
-      const vec3 value = radiance(pixel_direction(image, x, y));
-      image.rgba.insert(image.rgba.end(), {value.x, value.y, value.z, 1.0f});
-    }
+  image.rgba.resize(std::size_t{4} * width * height, 1.0f);
+  for (std::uint32_t i = 0; i < width * height; ++i) {
+    const vec3 value = radiance(pixel_direction(image, i % width, i / width));
+    std::copy_n(&value.x, 3, &image.rgba[std::size_t{4} * i]);
   }
   return image;
 }
@@ -205,6 +204,13 @@ TEST(EnvironmentLight, OnePixelIsAnEvenSphere) {
     ASSERT_NEAR(light.pdf_sr(random.direction()) * 4.0 * shading::kPiExact, 1.0, 1e-5);
     ASSERT_LT(glm::length(sample.radiance - vec3(3.0f, 2.0f, 1.0f)), 1e-5f);
   }
+}
+
+// As bright as a file can make it: no sum overflows.
+TEST(EnvironmentLight, TheBrightestFloatsAreSampled) {
+  const EnvironmentLight light(make_picture(8, 4, [](const vec3&) { return vec3(3e38f); }), 0.0f, 1.0f);
+  EXPECT_NEAR(light.pdf_sr({0, 0, 1}) * 4.0 * shading::kPiExact, 1.0, 1e-5);
+  EXPECT_NEAR(light.sample({0.3f, 0.6f}).pdf_sr * 4.0 * shading::kPiExact, 1.0, 1e-5);
 }
 
 }  // namespace
