@@ -1,4 +1,5 @@
 #include "image/codecs.hpp"
+#include "image/exr_header.hpp"
 #include "image/exr_output.hpp"
 
 #include "core/assert.hpp"
@@ -50,77 +51,6 @@ class MemoryInput final : public Imf::IStream {
   Bytes data_;
   std::uint64_t position_ = 0;
 };
-
-// --- the header, before OpenEXR allocates what it claims ----------------------------------------------------------
-
-// Walks the attributes of headers (OpenEXR file layout: name, type, size, value).
-class AttributeReader {
- public:
-  AttributeReader(Bytes data, const std::string& what) : unread_(data), what_(what) {}
-
-  [[nodiscard]] std::uint32_t integer() { return bytes_as<std::uint32_t>(take(4)); }
-  [[nodiscard]] std::string_view text() {
-    const auto end = std::find(unread_.begin(), unread_.end(), std::byte{0});
-    if (end == unread_.end()) ends_early();
-    const Bytes found = take(static_cast<std::size_t>(end - unread_.begin()));
-    (void)take(1);
-    return {reinterpret_cast<const char*>(found.data()), found.size()};
-  }
-  [[nodiscard]] Bytes take(std::size_t size) {
-    if (size > unread_.size()) ends_early();
-    const Bytes taken = unread_.first(size);
-    unread_ = unread_.subspan(size);
-    return taken;
-  }
-  template <class T>
-  [[nodiscard]] static T bytes_as(Bytes bytes) {  // files and the machines we run on are little-endian
-    T value{};
-    std::memcpy(&value, bytes.data(), std::min(sizeof value, bytes.size()));
-    return value;
-  }
-
- private:
-  [[noreturn]] void ends_early() const { invalid(what_, "OpenEXR: the file ends in its header"); }
-
-  Bytes unread_;
-  const std::string& what_;
-};
-
-void check_window(const std::array<std::int32_t, 4>& box, const std::string& what, const Limits& limits) {
-  const std::int64_t width = std::int64_t{box[2]} - box[0] + 1, height = std::int64_t{box[3]} - box[1] + 1;
-  if (width < 1 || height < 1 || std::max(width, height) > limits.size) {
-    invalid(what, fmt::format("OpenEXR: a window of {} x {} pixels; from 1 to {} a side are read", width, height,
-                              limits.size));
-  }
-  check_size({static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)}, what, limits);
-}
-
-// The attributes of one header; an empty name ends it.
-void check_attributes(AttributeReader& reader, std::string_view name, const std::string& what, const Limits& limits) {
-  for (; !name.empty(); name = reader.text()) {
-    const std::string_view type = reader.text();
-    const Bytes value = reader.take(reader.integer());
-    const bool window = name == "dataWindow" || name == "displayWindow";
-    if (window && type == "box2i")
-      check_window(AttributeReader::bytes_as<std::array<std::int32_t, 4>>(value), what, limits);
-    if (type != "tiledesc") continue;
-    const auto tile = AttributeReader::bytes_as<std::array<std::uint32_t, 2>>(value);
-    if (std::max(tile[0], tile[1]) > limits.size)
-      invalid(what, fmt::format("OpenEXR: tiles of {} x {} pixels", tile[0], tile[1]));
-  }
-}
-
-void check_headers(Bytes data, const std::string& what, const Limits& limits) {
-  constexpr std::uint32_t kDeepFlag = 0x800, kPartsFlag = 0x1000;  // "non-image" and "multipart", of the version field
-  AttributeReader reader(data, what);
-  (void)reader.integer();
-  const std::uint32_t flags = reader.integer();
-  if ((flags & kDeepFlag) != 0) throw Error(ErrorCode::unsupported, what, "OpenEXR: deep data is not supported");
-  check_attributes(reader, reader.text(), what, limits);
-  if ((flags & kPartsFlag) == 0) return;
-  // A header a part; an empty one ends them.
-  for (std::string_view name; !(name = reader.text()).empty();) check_attributes(reader, name, what, limits);
-}
 
 // --- pixels -------------------------------------------------------------------------------------------------------
 
@@ -277,7 +207,7 @@ std::vector<std::byte> write_channels(const FloatImage& image, const std::vector
 }  // namespace
 
 FloatImage read_exr(Bytes data, const std::string& what, const Limits& limits, const std::string& layer) {
-  check_headers(data, what, limits);
+  check_exr_headers(data, what, limits);
   try {
     MemoryInput stream(data, what);
     if (layer.empty()) {

@@ -209,6 +209,23 @@ TEST_F(Exr, HugeWindowsAreRefusedBeforeAllocation) {
   }
 }
 
+TEST_F(Exr, HugeChunksAreRefusedBeforeAllocation) {
+  // One column of 44 channels; then the header claims the widest window there may be: 16384 * 256 * 44 * 4 bytes.
+  Imf::Header header(1, 256);
+  header.compression() = Imf::DWAB_COMPRESSION;
+  std::vector<std::string> names;
+  for (int i = 0; i < 44; ++i) names.push_back(fmt::format("light{}.R", i));
+  write_channels(folder_ / "a.exr", names, std::vector<float>(256, 1.0f), header);
+  std::string file = text_of(folder_ / "a.exr");
+  for (const char* name : {"dataWindow", "displayWindow"}) {
+    const std::size_t box = file.find(name) + std::string(name).size() + 1 + 6 + 4;  // name, "box2i", size
+    file.replace(box + 8, 4, std::string_view("\xff\x3f\0\0", 4));                   // the largest x
+  }
+  const Thrown thrown = thrown_by([&] { (void)load_radiance(put("b.exr", file)); });
+  EXPECT_EQ(thrown.code, ErrorCode::input_invalid);
+  EXPECT_NE(thrown.message.find("chunks of 738197504 bytes"), std::string::npos) << thrown.message;
+}
+
 TEST_F(Exr, DamageIsRefused) {
   FloatImage image = test_floats(64, 40);
   save_exr(folder_ / "a.exr", image, true);
