@@ -214,7 +214,7 @@ TEST_F(Exr, HugeChunksAreRefusedBeforeAllocation) {
   Imf::Header header(1, 256);
   header.compression() = Imf::DWAB_COMPRESSION;
   std::vector<std::string> names;
-  for (int i = 0; i < 44; ++i) names.push_back(fmt::format("light{}.R", i));
+  for (int i = 0; i < 44; ++i) names.push_back("light" + std::to_string(i) + ".R");
   write_channels(folder_ / "a.exr", names, std::vector<float>(256, 1.0f), header);
   std::string file = text_of(folder_ / "a.exr");
   for (const char* name : {"dataWindow", "displayWindow"}) {
