@@ -1,5 +1,7 @@
 // The baked environment on a device, against what is known of it and against integrals on the CPU.
 
+#include "support/device_choice.hpp"
+
 #include "bake/environment.hpp"
 #include "bake/environment_transfer.hpp"
 #include "bake/studio.hpp"
@@ -129,7 +131,7 @@ class EnvironmentTest : public ::testing::Test {
   void TearDown() override { std::filesystem::remove_all(cache_); }
 
   static gpu::Toolbox& tools() {
-    static gpu::Device device("", true);
+    static gpu::Device device(test::device_choice(), true);
     static gpu::Toolbox toolbox(device);
     return toolbox;
   }

@@ -2,6 +2,8 @@
 
 // One validated device for all tests of the program, and pictures in and out of it.
 
+#include "support/device_choice.hpp"
+
 #include "gpu/toolbox.hpp"
 #include "graph/context.hpp"
 #include "graph/executor.hpp"
@@ -21,7 +23,7 @@ namespace velarium {
 class GpuTest : public ::testing::Test {
  protected:
   static gpu::Toolbox& tools() {
-    static gpu::Device device("", true);
+    static gpu::Device device(test::device_choice(), true);
     static gpu::Toolbox toolbox(device);
     return toolbox;
   }

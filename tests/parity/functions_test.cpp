@@ -1,5 +1,7 @@
 // The shader is the C++: each shared function gives the same on the device as on the host.
 
+#include "support/device_choice.hpp"
+
 #include "gpu/toolbox.hpp"
 #include "shading/host.hpp"
 #include "upload/transfer.hpp"
@@ -69,7 +71,7 @@ std::vector<glm::vec4> random_inputs() {
 class Parity : public testing::TestWithParam<Row> {
  protected:
   static void SetUpTestSuite() {
-    device_ = std::make_unique<gpu::Device>("", true);
+    device_ = std::make_unique<gpu::Device>(test::device_choice(), true);
     tools_ = std::make_unique<gpu::Toolbox>(*device_);
     inputs_ = random_inputs();
   }

@@ -1,15 +1,12 @@
 #pragma once
 
-// The device that GPU tests run on.
+// The device that GPU tests run on, as an engine.
+
+#include "support/device_choice.hpp"
 
 #include <velarium/engine.hpp>
 
-#include <string>
-
 namespace velarium::test {
-
-// VELARIUM_TEST_DEVICE chooses the device as EngineOptions::device does; unset: the best usable one.
-[[nodiscard]] std::string device_choice();
 
 [[nodiscard]] EngineOptions validated();
 
