@@ -1,5 +1,6 @@
 // Small pictures against accepted ones. tools/accept.py accepts what a run of this program has drawn.
 
+#include "driver_tolerance.hpp"
 #include "support/device.hpp"
 #include "support/metric.hpp"
 #include "support/pictures.hpp"
@@ -149,7 +150,8 @@ TEST_P(Pictures, LookAsAccepted) {
   write_device(result.report.device);
 
   const auto accepted = read_png(fs::path(VELARIUM_GOLDENS) / file);
-  const Verdict verdict = compare(actual, accepted, golden.tolerance);
+  const Tolerance tolerance = tolerance_on(result.report.device, golden.name, golden.tolerance);
+  const Verdict verdict = compare(actual, accepted, tolerance);
   if (verdict.same) return;
   if (actual.rgba.size() == accepted.rgba.size()) image::save_png(difference, difference_picture(actual, accepted));
   ADD_FAILURE() << golden.name << ": " << verdict.says << "\n  actual: " << (results() / "actual" / file).string()
