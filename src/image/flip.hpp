@@ -24,8 +24,8 @@ struct Exposures {
   int count = 1;
 };
 
-// From the exposure in which the brightest pixel of the reference is nearly white to that in which the median is, in
-// steps of a stop at most (2021, section 3). Pixels without light, such as a background, do not count for the median;
+// From the exposure in which the brightest pixel of the reference is nearly white to that in which the median is: as
+// many as stops lie between, rounded up, and two at least (2021, section 3). Pixels without light, such as a background, do not count for the median;
 // a picture without any light is seen once, as it is.
 [[nodiscard]] Exposures exposures_of(const FloatImage& reference);
 

@@ -24,6 +24,7 @@ void use_what_needs_no_device() {
   const std::vector<std::string> names = velarium::Scene::builtin_names();
   expect(velarium::nearest_name("sphere", names) == "spheres", "the nearest name is found");
   expect(velarium::Picture::stores_linear("a.exr"), "EXR stores linear light");
+  expect(velarium::metric_table().size() == 6, "there are six metrics");
   velarium::Picture::check_destination("out.png");
   velarium::check_writable("out.txt");
   velarium::write_text("out.txt", "text");
@@ -47,6 +48,16 @@ velarium::RenderRequest request_of(std::uint32_t width, std::uint32_t height, fl
   return request;
 }
 
+void compare_pictures(const velarium::Picture& near, const velarium::Picture& far) {
+  const velarium::Comparison found = velarium::compare(far, near);
+  expect(!found.within(velarium::Metric::flip, 0.0), "other pictures differ");
+  expect(found.value(velarium::Metric::rmse) > 0.0, "their values differ");
+  const std::string page = velarium::comparison_page(far, near, found, {}, velarium::Metric::flip, 0.0);
+  expect(page.starts_with("<!doctype html>"), "a page shows it");
+  expect(velarium::error_picture(found).width == 64, "the error map is a picture");
+  expect(velarium::load_picture("out.png").display == near.display, "a saved picture comes back");
+}
+
 void render_pictures(const velarium::Scene& scene) {
   velarium::Engine engine;
   const velarium::Picture near = engine.picture(scene, request_of(64, 32, 3));
@@ -56,6 +67,7 @@ void render_pictures(const velarium::Scene& scene) {
   expect(other.display.size() == 40 * 50 * 4, "the same engine renders another size");
   expect(near.linear != far.linear, "a camera that moves sees something else");
   near.save("out.png");
+  compare_pictures(near, far);
 
   velarium::Engine second;
   const velarium::Scene spheres = velarium::Scene::load("builtin:spheres");
