@@ -109,6 +109,11 @@ Elements elements_of(const Value& at, const BufferView& view, const Value& offse
 
 }  // namespace
 
+std::uint32_t component_count(Type type) {
+  const TypeShape& shape = kShapes[static_cast<std::size_t>(type)];
+  return shape.columns * shape.rows;
+}
+
 Accessors::Accessors(Value root, const Buffers& buffers, const GltfLimits& limits)
     : buffers_(buffers), elements_("load.elements", limits.elements) {
   const std::vector<Value> accessors = root["accessors"].elements();
@@ -156,8 +161,7 @@ void Accessors::read_sparse(const Value& sparse, Accessor& accessor) {
 }
 
 const Accessor& Accessors::find(const Value& reference, std::span<const Format> allowed) const {
-  const Accessor& accessor =
-      accessors_[reference.reference(static_cast<std::uint32_t>(accessors_.size()), "accessors")];
+  const Accessor& accessor = any(reference);
   if (std::ranges::find(allowed, accessor.format) != allowed.end()) {
     if (accessor.lacks_data) accessor.at.fail("lies in a buffer that has no uri, nor is it the file's binary chunk");
     return accessor;
@@ -167,8 +171,24 @@ const Accessor& Accessors::find(const Value& reference, std::span<const Format> 
   reference.fail(fmt::format("is an accessor of {}, must be one of: {}", to_string(accessor.format), names));
 }
 
-void Accessors::check(const Value& reference) const {
-  static_cast<void>(reference.reference(static_cast<std::uint32_t>(accessors_.size()), "accessors"));
+const Accessor& Accessors::any(const Value& reference) const {
+  const std::uint32_t index = index_of(reference);
+  const auto replaced = replaced_.find(index);
+  return replaced == replaced_.end() ? accessors_[index] : replaced->second.accessor;
+}
+
+std::uint32_t Accessors::index_of(const Value& reference) const {
+  return reference.reference(static_cast<std::uint32_t>(accessors_.size()), "accessors");
+}
+
+void Accessors::replace(const Value& reference, Component component, std::uint32_t count,
+                        std::vector<std::byte> elements) {
+  const std::uint32_t index = index_of(reference);
+  Replacement& replacement = replaced_[index];
+  replacement.bytes = std::move(elements);
+  Accessor& accessor = replacement.accessor = {.at = accessors_[index].at, .format = accessors_[index].format};
+  accessor.format.component = component;
+  accessor.elements = {replacement.bytes.data(), padded_size(accessor.format), count};
 }
 
 void Accessors::claim(const Value& place, std::uint64_t elements) {

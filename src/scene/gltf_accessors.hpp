@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +21,8 @@ namespace velarium::scene::gltf {
 
 enum class Component : std::uint16_t { i8 = 5120, u8 = 5121, i16 = 5122, u16 = 5123, u32 = 5125, f32 = 5126 };
 enum class Type : std::uint8_t { scalar, vec2, vec3, vec4, mat2, mat3, mat4 };
+
+[[nodiscard]] std::uint32_t component_count(Type type);
 
 struct Format {
   Type type = Type::scalar;
@@ -54,8 +57,8 @@ class Accessors {
   // The accessor that a JSON number refers to. Throws at its pointer where there is none, or one whose format is not
   // among those allowed.
   [[nodiscard]] const Accessor& find(const Value& reference, std::span<const Format> allowed) const;
-  // Only checks that there is such an accessor.
-  void check(const Value& reference) const;
+  // The same of any format.
+  [[nodiscard]] const Accessor& any(const Value& reference) const;
 
   // Floats, normalised integers widened to floats; finite, or it throws. The element is a float or a float vector or
   // matrix of the accessor's type.
@@ -69,10 +72,18 @@ class Accessors {
   [[nodiscard]] std::vector<std::uint32_t> read_indices(const Accessor& accessor);
   [[nodiscard]] std::vector<glm::u16vec4> read_joints(const Accessor& accessor);
 
+  // Until restore(), the accessor that `reference` names holds these packed elements instead of those of its view.
+  // Their type, and whether they are normalised, the accessor says.
+  void replace(const Value& reference, Component component, std::uint32_t count, std::vector<std::byte> elements);
+  void restore() { replaced_.clear(); }
+
+  [[nodiscard]] const Buffers& buffers() const { return buffers_; }
+  [[nodiscard]] const Budget& elements() const { return elements_; }
   // Claims memory for elements that are not read from an accessor; throws at `place` beyond the scene's limit.
   void claim(const Value& place, std::uint64_t elements);
 
  private:
+  [[nodiscard]] std::uint32_t index_of(const Value& reference) const;
   void read_accessor(const Value& at);
   void read_sparse(const Value& sparse, Accessor& accessor);
   template <class Element>
@@ -85,6 +96,11 @@ class Accessors {
   const Buffers& buffers_;
   Budget elements_;
   std::vector<Accessor> accessors_;
+  struct Replacement {
+    std::vector<std::byte> bytes;
+    Accessor accessor;  // over these bytes
+  };
+  std::map<std::uint32_t, Replacement> replaced_;  // by index
 };
 
 }  // namespace velarium::scene::gltf

@@ -16,6 +16,7 @@ constexpr std::array kExtensions = {
     Extension{.name = "EXT_mesh_gpu_instancing"},  // read_node_instances() reads it: it needs accessors
     Extension{.name = "EXT_meshopt_compression"},  // Buffers reads it, under both names
     Extension{.name = "EXT_texture_webp", .texture = read_webp_source},
+    Extension{.name = "KHR_draco_mesh_compression"},  // DracoGeometry reads it: it needs accessors
     Extension{.name = "KHR_lights_punctual", .document = read_lights_punctual, .node = read_node_light},
     Extension{.name = "KHR_materials_emissive_strength", .material = read_emissive_strength},
     Extension{.name = "KHR_materials_ior", .material = read_ior},

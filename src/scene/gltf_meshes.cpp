@@ -1,5 +1,6 @@
 #include "core/jobs.hpp"
 #include "scene/gltf_attributes.hpp"
+#include "scene/gltf_draco.hpp"
 #include "scene/gltf_parts.hpp"
 #include "scene/gltf_topology.hpp"
 #include "scene/tangents.hpp"
@@ -60,7 +61,8 @@ void supply_missing_uv(const Context& context, Accessors& accessors, const Value
 // None where the primitive draws nothing.
 std::optional<Primitive> read_primitive(Context& context, Accessors& accessors, const Value& value) {
   Primitive primitive;
-  const auto mode = static_cast<Mode>(value["mode"].integer_or(4, 0, 6));
+  const DracoGeometry compressed(context, accessors, value);
+  const auto mode = compressed ? Mode::triangles : static_cast<Mode>(value["mode"].integer_or(4, 0, 6));
   const auto material_count = static_cast<std::uint32_t>(context.scene.materials.size());
   primitive.topology = topology_of(mode);
   primitive.material = value["material"].reference_or_none(material_count, "materials");
