@@ -3,18 +3,24 @@
 find_program(GZIP gzip REQUIRED)
 set(man_page ${PROJECT_BINARY_DIR}/velarium.1.gz)
 set(changelog ${PROJECT_BINARY_DIR}/changelog.gz)
+set(debian_changelog ${PROJECT_BINARY_DIR}/changelog.Debian.gz)
+set(package_release 1)  # of the Debian packages, where the same version is packaged again
 set(completions "")
 add_custom_command(OUTPUT ${man_page} DEPENDS velarium_app VERBATIM
   COMMAND velarium_app options --man > ${PROJECT_BINARY_DIR}/velarium.1
   COMMAND ${GZIP} -9nkf ${PROJECT_BINARY_DIR}/velarium.1)
 add_custom_command(OUTPUT ${changelog} COMMAND ${GZIP} -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md > ${changelog}
   DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md VERBATIM)
+string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)  # of SOURCE_DATE_EPOCH, where that is set
+configure_file(cmake/changelog.debian.in ${PROJECT_BINARY_DIR}/changelog.Debian @ONLY)
+add_custom_command(OUTPUT ${debian_changelog} COMMAND ${GZIP} -9nkf ${PROJECT_BINARY_DIR}/changelog.Debian
+  DEPENDS ${PROJECT_BINARY_DIR}/changelog.Debian VERBATIM)
 foreach(shell bash zsh fish)
   set(script ${PROJECT_BINARY_DIR}/completion.${shell})
   add_custom_command(OUTPUT ${script} COMMAND velarium_app completion ${shell} > ${script} DEPENDS velarium_app VERBATIM)
   list(APPEND completions ${script})
 endforeach()
-add_custom_target(shell_pages ALL DEPENDS ${man_page} ${changelog} ${completions})
+add_custom_target(shell_pages ALL DEPENDS ${man_page} ${changelog} ${debian_changelog} ${completions})
 
 install(TARGETS velarium_app RUNTIME COMPONENT program)
 install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
@@ -49,5 +55,5 @@ foreach(owner "program:velarium" "library:libvelarium${PROJECT_VERSION_MAJOR}.${
   list(GET owner 1 package)
   set(doc_folder ${CMAKE_INSTALL_DATADIR}/doc/${package})
   install(FILES LICENSE RENAME copyright DESTINATION ${doc_folder} COMPONENT ${component})
-  install(FILES ${changelog} DESTINATION ${doc_folder} COMPONENT ${component})
+  install(FILES ${changelog} ${debian_changelog} DESTINATION ${doc_folder} COMPONENT ${component})
 endforeach()

@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -12,6 +13,12 @@ BUILD, CMAKE, CXX = (os.environ[name] for name in ("VELARIUM_BUILD", "VELARIUM_C
 SANITIZE = os.environ["VELARIUM_SANITIZE"]
 FLAGS = [f"-fsanitize={SANITIZE}"] if SANITIZE else []   # a sanitized library needs a sanitized program
 SCENE = HERE.parent / "data" / "triangle.gltf"
+
+
+def real_name(library):
+    """The file behind a library's names: libpng.so and libpng16.so.16 are libpng16.so.16.39.0."""
+    found = subprocess.run([CXX, f"-print-file-name={library}"], check=True, capture_output=True, text=True).stdout
+    return pathlib.Path(found.strip()).resolve().name
 
 
 class Install(unittest.TestCase):
@@ -49,6 +56,20 @@ class Install(unittest.TestCase):
         subprocess.run([CXX, "-std=c++20", *FLAGS, HERE / "outside" / "outside.cpp", "-o", program,
                         *(word.replace("\0", " ") for word in words)], check=True)
         self.run_outside(program)
+
+    def test_pkg_config_knows_what_the_library_needs(self):
+        if not shutil.which("readelf"):
+            self.skipTest("no readelf here")
+        environment = {**os.environ, "PKG_CONFIG_PATH": str(self.library / "pkgconfig"), "LC_ALL": "C"}
+        static = subprocess.run(["pkg-config", "--static", "--libs-only-l", "velarium"], env=environment, check=True,
+                                capture_output=True, text=True).stdout
+        told = {real_name(f"lib{name}.so") for name in static.replace("-l", "").split() if name != "velarium"}
+        dynamic = subprocess.run(["readelf", "-d", self.library / "libvelarium.so"], env=environment, check=True,
+                                 capture_output=True, text=True).stdout
+        compiler = ("libstdc++", "libm.so", "libgcc_s", "libc.so", "ld-linux", "libasan", "libubsan", "libtsan")
+        for needed in re.findall(r"\(NEEDED\).*\[(.+)\]", dynamic):
+            if not needed.startswith(compiler):
+                self.assertIn(real_name(needed), told)
 
     def test_only_the_interface_is_exported(self):
         if not shutil.which("nm"):

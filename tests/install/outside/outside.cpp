@@ -41,6 +41,21 @@ void catch_errors() {
   }
 }
 
+velarium::ErrorCode code_of_loading(const char* file, const velarium::LoadOptions& options) {
+  try {
+    (void)velarium::Scene::load(file, options);
+  } catch (const velarium::Error& error) { return error.code(); }
+  return velarium::ErrorCode::internal;
+}
+
+void set_limits(const char* file) {
+  velarium::LoadOptions options;
+  options.limits.bytes = 10;
+  expect(code_of_loading(file, options) == velarium::ErrorCode::input_invalid, "a limit refuses what exceeds it");
+  options.limits.bytes = 0;
+  expect(code_of_loading(file, options) == velarium::ErrorCode::usage, "a limit has a range");
+}
+
 velarium::RenderRequest request_of(std::uint32_t width, std::uint32_t height, float eye_z) {
   velarium::RenderRequest request{.width = width, .height = height};
   request.look_at = velarium::LookAt{.eye = {0, 0, eye_z}};
@@ -89,6 +104,7 @@ bool can_render() {
 int main(int, char** arguments) {
   use_what_needs_no_device();
   catch_errors();
+  set_limits(arguments[1]);
   const velarium::Scene scene = velarium::Scene::load(arguments[1]);
   expect(scene.info().triangles > 0, "the scene has triangles");
   if (!can_render()) return 77;
