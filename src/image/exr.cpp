@@ -79,12 +79,16 @@ ChannelNames find_channels(const Imf::ChannelList& channels, const std::string& 
   const auto has = [&](const char* name) { return has_full(channels, (prefix + name).c_str()); };
   const std::string alpha = prefix + "A";
   if (has("R") && has("G") && has("B")) return {prefix + "R", prefix + "G", prefix + "B", alpha};
-  const std::string y = prefix + "Y";
+  // Directions and depths, as render layers have them.
+  const std::string y = prefix + "Y", z = prefix + "Z";
+  if (has("X") && has("Y") && has("Z")) return {prefix + "X", y, z, alpha};
+  if (has("Z") && !has("Y")) return {z, z, z, alpha};
   const bool chroma = channels.findChannel(prefix + "RY") != nullptr || channels.findChannel(prefix + "BY") != nullptr;
   if (has("Y") && !chroma) return {y, y, y, alpha};
   throw Error(chroma ? ErrorCode::unsupported : ErrorCode::input_invalid, what,
-              fmt::format("OpenEXR: channels {0}R, {0}G and {0}B, or {0}Y alone, are read; the file has {1}", prefix,
-                          channel_names(channels)));
+              fmt::format("OpenEXR: channels {0}R, {0}G and {0}B, or {0}X, {0}Y and {0}Z, or {0}Y or {0}Z alone, are "
+                          "read; the file has {1}",
+                          prefix, channel_names(channels)));
 }
 
 // `File` is Imf::InputFile or Imf::InputPart, which have no common base.

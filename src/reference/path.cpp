@@ -197,7 +197,12 @@ bool PathTracer::unblocked(const Path& path, const Vertex& vertex, const LightSa
   Ray ray;
   ray.origin = vertex.start();
   ray.direction = light.wi;
-  ray.to = light.distance - glm::dot(ray.origin - vertex.point.position_ws, light.wi);
+  if (!std::isinf(light.distance)) {
+    // The start was moved off the surface: from there the same point lies in a slightly different direction.
+    const vec3 way = vertex.point.position_ws + light.distance * light.wi - ray.origin;
+    ray.to = glm::length(way);
+    ray.direction = way / ray.to;
+  }
   ray.cone_width_m = vertex.cone_width_m;
   ray.cone_spread = path.ray.cone_spread;
   ray.chance = shading::hash_u32(path.chance + 1u);
