@@ -5,4 +5,5 @@ if [ ! -f "$icd" ]; then
   echo "skipped: SwiftShader is not installed; it comes with Debian's package chromium"
   exit 77
 fi
+unset VELARIUM_TEST_DEVICE   # names a device of another driver
 VK_DRIVER_FILES=$icd exec "$@"
