@@ -26,7 +26,8 @@ struct BrdfSample {
 //
 // wo may lie behind the shading normal, where interpolation or a normal map turned it. evaluate_brdf then shades with
 // |n.wo|, and normals are sampled as wo's mirror image in the surface sees them: about that half vector D is nowhere
-// smaller than about the true one, so that the weights stay as bounded as in front.
+// smaller than about the true one, so that the weights stay as bounded as in front: specular ones by 10, and Lambert's
+// too. Fujii's rise towards light that returns to a grazing eye, as 1 / max(n.wi, n.wo).
 //
 // u_lobe, u: uniform in [0, 1). Nothing is returned where the chosen direction is under the surface, or the surface
 // reflects nothing: the path ends.

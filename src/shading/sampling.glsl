@@ -149,7 +149,10 @@ FN vec2 sample_disc(vec2 u) {
 // Direction about +z, z >= 0, u in [0, 1)^2; pdf_sr = cos(theta) / pi: the disc lifted to the hemisphere [Malley].
 FN vec3 sample_cosine_hemisphere(vec2 u) {
   vec2 p = sample_disc(u);
-  return vec3(p.x, p.y, sqrt(max(1.0f - dot(p, p), 0.0f)));
+  // Of the square that became the disc: at the rim the disc's own radius has lost the digits that a root brings up.
+  vec2 square = abs(2.0f * u - vec2(1.0f));
+  float radius = max(square.x, square.y);
+  return vec3(p, sqrt((1.0f - radius) * (1.0f + radius)));
 }
 
 // 1 - cos of the half angle of the cone that a sphere fills, from sin^2 = (radius / distance)^2 in [0, 1]; the

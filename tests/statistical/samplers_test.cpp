@@ -47,6 +47,17 @@ TEST(Samplers, CosineHemisphere) {
   EXPECT_TRUE(agrees(test_on_sphere(sampler, pdf_sr, {}, {}), 1));
 }
 
+TEST(Samplers, CosineDirectionsAreUnit) {
+  Random random(14);
+  for (int i = 0; i < 10000; ++i) {
+    vec2 u = uniform_2d(random);
+    if (i % 4 == 0) u.x = i % 8 == 0 ? 0.0f : 0.99999994f;  // the rim
+    const vec3 d = sample_cosine_hemisphere(u);
+    ASSERT_NEAR(glm::length(d), 1.0f, 1e-6);
+    ASSERT_GE(d.z, 0.0f);
+  }
+}
+
 // The hemisphere about the normal, finer where lobes are narrow.
 SphereBins half_vector_bins(float alpha) {
   return {.axis = {0.0f, 0.0f, 1.0f}, .focus = alpha < 0.3f ? 4 : 1, .height = 1.0f};
