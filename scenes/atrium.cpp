@@ -28,7 +28,7 @@ void add_tangents(Scene& scene) {
 
 }  // namespace
 
-Scene atrium_scene() {
+Scene atrium_scene(std::uint32_t lights) {
   SceneBuilder builder("atrium");
   atrium::add_materials(builder);
   atrium::add_columns(builder);
@@ -38,7 +38,8 @@ Scene atrium_scene() {
   atrium::add_floors(builder);
   atrium::add_vessels(builder);
   atrium::add_awnings(builder);
-  atrium::add_torches(builder);
+  atrium::add_torches(builder, lights == kTorches);
+  if (lights != kTorches) atrium::add_lamps(builder, lights);
   add_cameras(builder);
   Scene scene = std::move(builder).take();
   atrium::measure_daylight(scene);

@@ -10,10 +10,6 @@
 namespace velarium::scene::atrium {
 namespace {
 
-// As bright against the evening sky as pictures at exposure 0 can take: the walls around a torch stay below white.
-constexpr float kCandela = 2.6f, kRange = 8.0f;  // metres
-constexpr glm::vec3 kFireColor{1.0f, 0.52f, 0.20f};
-
 constexpr float kCupTop = 0.12f, kFlameMiddle = kCupTop + 0.13f;
 
 Primitive cup() {
@@ -87,18 +83,19 @@ Primitive flame() {
 
 }  // namespace
 
-void add_torches(SceneBuilder& builder) {
+void add_torches(SceneBuilder& builder, bool lit) {
   const auto bracket = builder.add_mesh("sconce", sconce(), kBronze);
   const auto candelabrum = builder.add_mesh("candelabrum", stand(), kBronze);
   const auto fire = builder.add_mesh("flame", flame(), kFlame);
   const auto add = [&](std::uint32_t holder, const Spot& spot) {
     place(builder, holder, spot);
     place(builder, fire, {spot.position, 3.1f * spot.position.x + 1.7f * spot.position.z});
+    if (!lit) return;
     Light light;
     light.name = "torch";
     light.color = kFireColor;
-    light.intensity = kCandela;
-    light.range = kRange;
+    light.intensity = kTorchCandela;
+    light.range = kTorchRange;
     builder.place_light(std::move(light), spot.position + glm::vec3(0.0f, kFlameMiddle, 0.0f), glm::quat(1, 0, 0, 0));
   };
   constexpr float kHeight = 2.0f;

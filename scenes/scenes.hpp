@@ -16,8 +16,19 @@ namespace velarium::scene {
 // The Cornell box, ten times its measured size.
 [[nodiscard]] Scene cornell_scene();
 
+inline constexpr std::uint32_t kTorches = 24;
+
 // A Roman courtyard at evening: columns, arches, painted walls, a pool, awnings, and the light of 24 torches and of the
-// environment "sky". Cameras "entrance", "pool" and "walk".
-[[nodiscard]] Scene atrium_scene();
+// environment "sky". Cameras "entrance", "pool" and "walk". Another number of lights has the power of the torches in
+// all: points and spots spread over the court, each reaching as far as it lights as brightly as a torch at its end.
+[[nodiscard]] Scene atrium_scene(std::uint32_t lights);
+
+// Copies of one gilded knot, 1152 triangles each, arranged as the seeds of a sunflower. The disc keeps its size, so
+// that more copies are smaller ones and cover about the same pixels.
+[[nodiscard]] Scene knots_scene(std::uint32_t instances);
+
+// Mountains around a lake in the evening sun, with about so many triangles of land, in 256 patches. Finer meshes show
+// finer shapes of the same land.
+[[nodiscard]] Scene terrain_scene(std::uint32_t triangles);
 
 }  // namespace velarium::scene

@@ -61,6 +61,11 @@ nlohmann::ordered_json json_of_info(const SceneInfo& info) {
     json["lights"].push_back({{"name", l.name}, {"kind", l.kind}, {"color", l.color}, {"intensity", l.intensity}});
   }
   json["variants"] = info.variants;
+  json["parameters"] = nlohmann::ordered_json::array();
+  for (const auto& p : info.parameters) {
+    json["parameters"].push_back(
+        {{"key", p.key}, {"value", p.value}, {"least", p.least}, {"most", p.most}, {"meaning", p.meaning}});
+  }
   json["extensions_used"] = info.extensions_used;
   json["extensions_required"] = info.extensions_required;
   json["warnings"] = info.warnings;
@@ -99,6 +104,9 @@ std::string text_of_info(const SceneInfo& info) {
   }
   for (std::size_t i = 0; i < info.variants.size(); ++i) {
     add_row(text, fmt::format("variant {}", i), fmt::format("'{}'", info.variants[i]));
+  }
+  for (const auto& p : info.parameters) {
+    add_row(text, "parameter", fmt::format("{}={}, from {} to {}: {}", p.key, p.value, p.least, p.most, p.meaning));
   }
   add_row(text, "uses", fmt::format("{}", fmt::join(info.extensions_used, ", ")));
   add_row(text, "requires", fmt::format("{}", fmt::join(info.extensions_required, ", ")));

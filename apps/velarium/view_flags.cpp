@@ -107,8 +107,9 @@ void finish_view(View& view) {
 }
 
 std::filesystem::path picture_name(const std::string& scene) {
-  const std::size_t colon = scene.starts_with("builtin:") ? scene.find(':') + 1 : 0;
-  std::filesystem::path name = std::filesystem::path(scene.substr(colon)).stem();
+  const bool builtin = scene.starts_with("builtin:");
+  const std::string plain = builtin ? scene.substr(0, scene.find('?')).substr(scene.find(':') + 1) : scene;
+  std::filesystem::path name = std::filesystem::path(plain).stem();
   name += ".png";
   return name;
 }

@@ -31,19 +31,22 @@ struct SceneInfo {
   struct Animation { std::string name; float duration_s; std::uint64_t channels; };
   struct Camera { std::string name; std::string kind; };
   struct Light { std::string name; std::string kind; std::array<float, 3> color; float intensity; };
+  struct Parameter { std::string key; std::uint32_t value, least, most; std::string meaning; };
   std::vector<Animation> animations;
   std::vector<Camera> cameras;    // as instanced in the scene, at time 0
   std::vector<Light> lights;      // as instanced in the scene, at time 0
   std::array<float, 3> bounds_min{}, bounds_max{};   // metres, world space, at time 0
   std::vector<std::string> variants;                 // that LoadOptions::variant can name
+  std::vector<Parameter> parameters;                 // of a built-in scene: "builtin:NAME?key=value&key=value"
   std::vector<std::string> extensions_used, extensions_required, warnings;
 };
 
 // A loaded scene. Immutable, cheap to copy, and may be shared between threads and engines.
 class Scene {
  public:
-  // A .gltf or .glb file, or "builtin:NAME". Throws Error(input_missing, input_invalid, unsupported), and
-  // Error(usage) that lists the variants where LoadOptions::variant is not among them, or names a limit out of its range.
+  // A .gltf or .glb file, or "builtin:NAME", or "builtin:NAME?key=value". Throws Error(input_missing, input_invalid,
+  // unsupported), and Error(usage) that lists the variants where LoadOptions::variant is not among them, names a limit
+  // out of its range, or lists the parameters where one is wrong.
   [[nodiscard]] static Scene load(const std::filesystem::path& file, const LoadOptions& options = {});
   [[nodiscard]] static std::vector<std::string> builtin_names();
 

@@ -82,6 +82,12 @@ void check_limits(const Settings::load_settings& limits) {
   }
 }
 
+void add_parameters(SceneInfo& info) {
+  if (!info.source.starts_with(kBuiltinPrefix)) return;
+  for (auto& p : scene::builtin_parameters(info.source.substr(kBuiltinPrefix.size())))
+    info.parameters.push_back({std::move(p.key), p.value, p.least, p.most, std::move(p.meaning)});
+}
+
 }  // namespace
 
 Scene Scene::load(const std::filesystem::path& file, const LoadOptions& options) {
@@ -105,6 +111,7 @@ SceneInfo Scene::info() const {
   count_tables(*tables_, info);
   count_moment(*tables_, info);
   info.variants = tables_->variants;
+  add_parameters(info);
   info.extensions_used = tables_->extensions_used;
   info.extensions_required = tables_->extensions_required;
   info.warnings = tables_->warnings;
