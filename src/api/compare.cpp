@@ -30,7 +30,8 @@ constexpr std::array kMetrics{
     MetricInfo{Metric::relmse, "relmse", "relative MSE", "", false, 0.0,
                "mean of squared difference over squared reference"},
     MetricInfo{Metric::ssim, "ssim", "SSIM", "", true, 1.0, "mean structural similarity, 1 where equal"},
-    MetricInfo{Metric::share, "share", "share off", "", false, 0.0, "of pixels that differ by more than the tolerance"},
+    MetricInfo{Metric::share, "share", "pixels off", "", false, 0.0,
+               "share of pixels that differ by more than the tolerance"},
 };
 
 void check_range(float value, float least, float most, const char* name) {

@@ -121,7 +121,7 @@ std::string remarks(const Comparison& comparison, const CompareOptions& options)
            : std::string("display values"));
   item(fmt::format("largest difference of a channel {:.5g} at ({}, {})", comparison.largest, comparison.largest_x,
                    comparison.largest_y));
-  item(fmt::format("{:g} pixels per degree; share off counts pixels that differ by more than {:.4g}",
+  item(fmt::format("{:g} pixels per degree; a pixel is off where a channel differs by more than {:.4g}",
                    options.pixels_per_degree, options.tolerance));
   for (const std::string& note : comparison.notes) item(note);
   return text;

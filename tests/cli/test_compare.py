@@ -104,6 +104,19 @@ class Verdicts(CompareTest):
         self.expect(DIFFERS, "compare", "clear.png", "opaque.png", "--threshold", "0.9")
 
 
+class Help(CliTest):
+    def test_completion_offers_the_flags_of_the_help(self):
+        told = self.expect(OK, "compare", "--help")
+        offered = self.expect(OK, "completion", "words", "--", "compare", "--").splitlines()
+        self.assertGreater(len(offered), 10)
+        for line in offered:
+            self.assertIn(line.split("\t")[0], told)
+        self.assertIn("ssim", self.expect(OK, "completion", "words", "--", "compare", "--metric", "s"))
+
+    def test_the_manual_names_both_operands(self):
+        self.assertIn("PICTURE REFERENCE", self.expect(OK, "options", "--man"))
+
+
 class LinearLight(CompareTest):
     def setUp(self):
         super().setUp()

@@ -216,6 +216,13 @@ TEST(Compare, FilesComeBackAsTheKindThatTheyAre) {
   EXPECT_EQ(load_picture(folder.path() / "a.png").display, shown.display);
   EXPECT_EQ(load_picture(folder.path() / "a.exr").linear, lit.linear);
   EXPECT_TRUE(load_picture(folder.path() / "a.exr").display.empty());
+  for (const char* lossy : {"a.jpg", "a.webp", "a.hdr"}) {
+    Picture both = shown;
+    both.linear = lit.linear;
+    both.save(folder.path() / lossy);
+    const Picture back = load_picture(folder.path() / lossy);
+    EXPECT_GT(compare(back, both, {.as_display = back.linear.empty()}).psnr_db, 30.0) << lossy;
+  }
 }
 
 TEST(ErrorPicture, HoldsColoursAndNumbers) {
