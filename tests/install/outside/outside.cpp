@@ -92,6 +92,16 @@ void render_pictures(const velarium::Scene& scene) {
   expect(second.picture(scene, request_of(64, 32, 3)).display == near.display, "an engine may be moved");
 }
 
+void trace_pictures(const velarium::Scene& scene) {
+  velarium::ReferenceRequest request{.view = request_of(32, 16, 3)};
+  request.view.settings.reference.spp = 1;
+  const velarium::ReferenceResult traced = velarium::render_reference(scene, request);
+  expect(traced.report.finished && traced.report.paths == 32 * 16, "every pixel has its path");
+  expect(traced.picture.linear.size() == 32 * 16 * 4 && traced.picture.layers.size() == 6, "layers arrive");
+  request.on_progress = [](const velarium::ReferenceProgress&) { return false; };
+  expect(!velarium::render_reference(scene, request).report.finished, "a caller may stop it");
+}
+
 bool can_render() {
   for (const velarium::DeviceInfo& device : velarium::list_devices()) {
     if (device.usable) return true;
@@ -107,6 +117,7 @@ int main(int, char** arguments) {
   set_limits(arguments[1]);
   const velarium::Scene scene = velarium::Scene::load(arguments[1]);
   expect(scene.info().triangles > 0, "the scene has triangles");
+  trace_pictures(scene);
   if (!can_render()) return 77;
   render_pictures(scene);
 }
