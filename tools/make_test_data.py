@@ -6,7 +6,18 @@ import pathlib
 import struct
 import sys
 
+from make_test_data_codecs import (
+    DRACO_NORMAL,
+    DRACO_POSITION,
+    draco_mesh,
+    exponential,
+    meshopt_attributes,
+    meshopt_triangles,
+    octahedral,
+    webp,
+)
 from make_test_data_gltf import (
+    FLOAT,
     I8,
     I16,
     LINE_LOOP,
@@ -444,6 +455,219 @@ def embedded():
     return g
 
 
+def vase_shape(segments=12, rings=8):
+    """Turned on a lathe, without a bottom: what vase, vase_draco and vase_meshopt hold, each in its way."""
+
+    def radius(t):
+        return 0.34 + 0.2 * math.sin(2.6 * math.pi * t + 0.2) * (1 - 0.55 * t)
+
+    out = dict(positions=[], normals=[], indices=[])
+    for i in range(rings + 1):
+        t = i / rings
+        slope = (radius(t + 1e-3) - radius(t - 1e-3)) / 2e-3 / 1.6
+        for j in range(segments + 1):
+            turned = [math.sin(2 * math.pi * j / segments), math.cos(2 * math.pi * j / segments)]
+            out["positions"].append([single(c) for c in (radius(t) * turned[0], 1.6 * t - 0.8, radius(t) * turned[1])])
+            out["normals"].append([single(c) for c in unit([turned[0], -slope, turned[1]])])
+    for i in range(rings):
+        for j in range(segments):
+            a = i * (segments + 1) + j
+            b = a + segments + 1
+            out["indices"] += [a, a + 1, b, b, a + 1, b + 1]
+    return out
+
+
+def vase_scene(g, primitive):
+    primitive["material"] = g.material([0.15, 0.35, 0.55, 1], roughness=0.3, doubleSided=True)
+    g.node(mesh=g.mesh(primitive))
+    g.light([0, 2, 2], looking([2, 2.5, 3], [0, 0, 0]), name="sun", type="directional", intensity=2)
+    g.camera([0, 1.0, 3.4], [0, 0, 0])
+    return g
+
+
+def vase():
+    """As it is; two more files hold the same, compressed."""
+    g = Gltf()
+    return vase_scene(g, g.primitive(**vase_shape()))
+
+
+def without_view(g, rows, kind, component=FLOAT, **more):
+    """An accessor that an extension fills."""
+    item = {"componentType": component, "count": len(rows), "type": kind, **more}
+    if kind != "SCALAR":
+        item["min"] = [min(column) for column in zip(*rows)]
+        item["max"] = [max(column) for column in zip(*rows)]
+    return g.add("accessors", item)
+
+
+def vase_draco():
+    g = Gltf().extension("KHR_draco_mesh_compression", required=True)
+    shape = vase_shape()
+    data = draco_mesh(
+        [(DRACO_POSITION, 0, shape["positions"]), (DRACO_NORMAL, 1, shape["normals"])], shape["indices"]
+    )
+    extension = {"bufferView": g.view(data), "attributes": {"POSITION": 0, "NORMAL": 1}}
+    attributes = {
+        "POSITION": without_view(g, shape["positions"], "VEC3"),
+        "NORMAL": without_view(g, shape["normals"], "VEC3"),
+    }
+    primitive = {
+        "attributes": attributes,
+        "indices": without_view(g, shape["indices"], "SCALAR", U16),
+        "extensions": {"KHR_draco_mesh_compression": extension},
+    }
+    return vase_scene(g, primitive)
+
+
+def compressed_view(g, data, stride, count, mode, compression_filter="NONE", **more):
+    """A view of a buffer without data, whose bytes `data` holds compressed."""
+    index = g.view(data)
+    packed = g.root["bufferViews"][index]
+    extension = dict(packed, byteStride=stride, count=count, mode=mode, filter=compression_filter)
+    view = {"buffer": 1, "byteOffset": g.fallback, "byteLength": stride * count, **more}
+    g.fallback += (stride * count + 3) // 4 * 4
+    return g.add("bufferViews", dict(view, extensions={"EXT_meshopt_compression": extension}))
+
+
+def vase_meshopt():
+    """Positions by the exponential filter, normals in bytes by the octahedral one, triangles."""
+    g = Gltf().extension("EXT_meshopt_compression", required=True).extension("KHR_mesh_quantization", required=True)
+    g.fallback = 0
+    shape = vase_shape()
+    points, corners = len(shape["positions"]), len(shape["indices"])
+    position = without_view(g, shape["positions"], "VEC3")
+    data = meshopt_attributes([exponential(p) for p in shape["positions"]])
+    g.root["accessors"][position]["bufferView"] = compressed_view(g, data, 12, points, "ATTRIBUTES", "EXPONENTIAL")
+    data = meshopt_attributes([octahedral(n) for n in shape["normals"]])
+    view = compressed_view(g, data, 4, points, "ATTRIBUTES", "OCTAHEDRAL", byteStride=4)
+    normal = {"bufferView": view, "componentType": I8, "normalized": True, "count": points, "type": "VEC3"}
+    view = compressed_view(g, meshopt_triangles(shape["indices"]), 2, corners, "TRIANGLES")
+    index = {"bufferView": view, "componentType": U16, "count": corners, "type": "SCALAR"}
+    primitive = {
+        "attributes": {"POSITION": position, "NORMAL": g.add("accessors", normal)},
+        "indices": g.add("accessors", index),
+    }
+    g.more_buffers = [{"byteLength": g.fallback, "extensions": {"EXT_meshopt_compression": {"fallback": True}}}]
+    return vase_scene(g, primitive)
+
+
+def gpu_instancing():
+    """A ring of twelve blocks, copies of one node: each is farther along, turned and taller. The node itself is raised."""
+    g = Gltf().extension("EXT_mesh_gpu_instancing", required=True)
+    g.node(mesh=g.mesh(g.primitive(**ground(6), material=g.material([0.5, 0.5, 0.5, 1], roughness=0.9))))
+    block = g.mesh(g.primitive(**box(0.35, 0.5, 0.2), material=g.material([0.8, 0.45, 0.2, 1], roughness=0.5)))
+    angles = [30 * k for k in range(12)]
+    places = [[1.5 * math.sin(math.radians(a)), 0.25 * (1 + 0.15 * k), 1.5 * math.cos(math.radians(a))] for k, a in enumerate(angles)]
+    columns = {
+        "TRANSLATION": g.accessor(places, "VEC3"),
+        "ROTATION": g.accessor([[round(32767 * c) for c in turn([0, 1, 0], a)] for a in angles], "VEC4", I16, normalized=True),
+        "SCALE": g.accessor([[1, 1 + 0.15 * k, 1] for k in range(12)], "VEC3"),
+    }
+    g.node(mesh=block, translation=[0, 0.1, 0], extensions={"EXT_mesh_gpu_instancing": {"attributes": columns}})
+    g.light([0, 3, 0], looking([2, 3, 2], [0, 0, 0]), name="sun", type="directional", intensity=2)
+    g.camera([0.8, 2.4, 4.6], [0, 0.25, 0])
+    return g
+
+
+def webp_texture():
+    """An F in WebP; the texture's other picture, for those who cannot read it, is plain grey."""
+    g = Gltf().extension("EXT_texture_webp")
+
+    def pixel(x, y):
+        letter = (x in (4, 5) and 3 <= y < 13) or (y in (3, 4) and 4 <= x < 12) or (y in (7, 8) and 4 <= x < 10)
+        if letter:
+            return (250, 240, 40)
+        return (20, 60, 160) if (x // 8 + y // 8) % 2 else (20, 240, 160)
+
+    grey = g.image(png(1, 1, lambda x, y: (128, 128, 128, 255)))
+    picture = g.image(webp(16, 16, pixel), "image/webp")
+    texture = g.texture(grey, magFilter=NEAREST, minFilter=LINEAR_MIPS)
+    g.root["textures"][texture]["extensions"] = {"EXT_texture_webp": {"source": picture}}
+    g.node(mesh=g.mesh(g.primitive(**quad(2, 2), material=g.material(texture=texture, roughness=0.9))))
+    g.camera([0, 0, 3.7], [0, 0, 0])
+    return g
+
+
+def variants():
+    """A bench of one mesh: 'beech' and 'walnut' change the seat, 'walnut' and 'steel' the legs; steel keeps its seat."""
+    g = Gltf().extension("KHR_materials_variants")
+    names = ("beech", "walnut", "steel")
+    g.root["extensions"] = {"KHR_materials_variants": {"variants": [{"name": name} for name in names]}}
+    white = g.material([0.8, 0.8, 0.8, 1], roughness=0.8)
+    beech = g.material([0.75, 0.5, 0.28, 1], roughness=0.6)
+    walnut = g.material([0.16, 0.07, 0.03, 1], roughness=0.5)
+    steel = g.material([0.6, 0.6, 0.62, 1], metallic=1.0, roughness=0.3)
+
+    def mapped(shape, *mappings):
+        primitive = g.primitive(**shape, material=white)
+        entries = [{"material": material, "variants": list(which)} for material, which in mappings]
+        primitive["extensions"] = {"KHR_materials_variants": {"mappings": entries}}
+        return primitive
+
+    seat, leg = box(2.0, 0.15, 0.7), box(0.12, 0.7, 0.6)
+    seat_mesh = g.mesh(mapped(seat, (beech, (0,)), (walnut, (1,))))
+    leg_mesh = g.mesh(mapped(leg, (walnut, (1,)), (steel, (2,))))
+    g.node(mesh=seat_mesh, translation=[0, 0.42, 0])
+    for x in (-0.8, 0.8):
+        g.node(mesh=leg_mesh, translation=[x, 0, 0])
+    g.camera([1.2, 1.3, 3.4], [0, 0.05, 0])
+    return g
+
+
+def gloss_balls(material_of):
+    """Four balls: matt clay, polished clay, gold, and gold that is dull on its right; material_of(g, number) is of each."""
+    g = Gltf()
+    materials = [material_of(g, k) for k in range(4)]
+    ball = g.primitive(**sphere(0.48, 8, 16, with_uv=True), material=materials[3])
+    for k in range(4):
+        g.node(mesh=g.mesh(dict(ball, material=materials[k])), translation=[k % 2 - 0.5, 0.5 - k // 2, 0])
+    g.camera([0, 0, 3.9], [0, 0, 0])
+    return g
+
+
+CLAY, GOLD = [0.5, 0.2, 0.1], [1.0, 0.78, 0.34]
+# Gloss of the fourth ball, of 255, for u below and above a half.
+DULL, SHINY = 64, 204
+
+
+def half_picture(left, right):
+    return png(8, 1, lambda x, y: left if x < 4 else right)
+
+
+def specular_glossiness():
+    """Clay reflects 4 %, as any dielectric of index 1.5; gold has no diffuse light. The fourth ball's gloss is a picture."""
+
+    def material(g, k):
+        clay = k < 2
+        extension = {
+            "diffuseFactor": (CLAY if clay else [0, 0, 0]) + [1],
+            "specularFactor": [0.04, 0.04, 0.04] if clay else GOLD,
+            "glossinessFactor": (0.2, 0.8, 0.8, 1.0)[k],
+        }
+        if k == 3:
+            picture = half_picture((255, 255, 255, DULL), (255, 255, 255, SHINY))
+            texture = g.texture(g.image(picture), magFilter=NEAREST, minFilter=NEAREST)
+            extension["specularGlossinessTexture"] = {"index": texture}
+        return g.material([1, 0, 1, 1], extensions={"KHR_materials_pbrSpecularGlossiness": extension})
+
+    return gloss_balls(material)
+
+
+def metallic_roughness():
+    """What specular_glossiness.gltf says, in the core's own terms."""
+
+    def material(g, k):
+        clay = k < 2
+        out = g.material((CLAY if clay else GOLD) + [1], metallic=0.0 if clay else 1.0, roughness=(0.8, 0.2, 0.2, 1.0)[k])
+        if k == 3:
+            picture = half_picture((0, 255 - DULL, 255, 255), (0, 255 - SHINY, 255, 255))
+            texture = g.texture(g.image(picture), magFilter=NEAREST, minFilter=NEAREST)
+            g.root["materials"][out]["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {"index": texture}
+        return out
+
+    return gloss_balls(material)
+
+
 SCENES = [
     triangle,
     wrap_modes,
@@ -462,6 +686,14 @@ SCENES = [
     quantized,
     normal_map,
     orthographic,
+    vase,
+    vase_draco,
+    vase_meshopt,
+    gpu_instancing,
+    webp_texture,
+    variants,
+    specular_glossiness,
+    metallic_roughness,
 ]
 
 

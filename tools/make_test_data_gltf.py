@@ -80,6 +80,7 @@ def png(width, height, pixel):
 class Gltf:
     def __init__(self):
         self.bin = bytearray()
+        self.more_buffers = []  # after the one that holds the data
         self.root = {
             "asset": {"version": "2.0", "generator": "Velarium test data", "copyright": "CC0 1.0, the Velarium authors"},
             "scene": 0,
@@ -173,8 +174,8 @@ class Gltf:
             out["extensions"] = extensions
         return self.add("materials", out)
 
-    def image(self, data):
-        return self.add("images", {"bufferView": self.view(data), "mimeType": "image/png"})
+    def image(self, data, kind="image/png"):
+        return self.add("images", {"bufferView": self.view(data), "mimeType": kind})
 
     def texture(self, image, **sampler):
         return self.add("textures", {"source": image, "sampler": self.add("samplers", sampler)})
@@ -192,7 +193,7 @@ class Gltf:
         self.node(name=light["name"], translation=translation, rotation=rotation, extensions=use)
 
     def _json(self, buffer):
-        root = dict(self.root, buffers=[buffer])
+        root = dict(self.root, buffers=[buffer, *self.more_buffers])
         return json.dumps(root, indent=1, sort_keys=True).encode()
 
     def write_gltf(self, file):

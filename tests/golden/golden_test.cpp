@@ -32,6 +32,7 @@ struct Golden {
   const char* camera = "";
   float time_s = 0.0f;
   Background background = Background::environment;
+  const char* variant = "";
   Tolerance tolerance = {};
   const char* why = "";  // of a tolerance that is looser than the usual one
 };
@@ -74,6 +75,16 @@ constexpr Golden kGoldens[] = {
     {.name = "normal_map", .scene = "normal_map.gltf"},
     {.name = "orthographic", .scene = "orthographic.gltf"},
     {.name = "embedded", .scene = "embedded.glb"},
+    {.name = "vase", .scene = "vase.gltf"},
+    {.name = "vase_draco", .scene = "vase_draco.gltf"},
+    {.name = "vase_meshopt", .scene = "vase_meshopt.gltf"},
+    {.name = "gpu_instancing", .scene = "gpu_instancing.gltf"},
+    {.name = "webp_texture", .scene = "webp_texture.gltf"},
+    {.name = "variants", .scene = "variants.gltf"},
+    {.name = "variants_walnut", .scene = "variants.gltf", .variant = "walnut"},
+    {.name = "variants_steel", .scene = "variants.gltf", .variant = "2"},
+    {.name = "specular_glossiness", .scene = "specular_glossiness.gltf"},
+    {.name = "metallic_roughness", .scene = "metallic_roughness.gltf"},
 };
 
 void PrintTo(const Golden& golden, std::ostream* out) {
@@ -101,7 +112,9 @@ RenderRequest request_of(const Golden& golden) {
 
 Scene load(const Golden& golden) {
   const std::string scene = golden.scene;
-  return Scene::load(scene.starts_with("builtin:") ? fs::path(scene) : fs::path(VELARIUM_TEST_DATA) / scene);
+  LoadOptions options;
+  options.variant = golden.variant;
+  return Scene::load(scene.starts_with("builtin:") ? fs::path(scene) : fs::path(VELARIUM_TEST_DATA) / scene, options);
 }
 
 image::ByteImage read_png(const fs::path& file) {
