@@ -3,6 +3,7 @@
 
 #include "core/files.hpp"
 #include "image/codecs.hpp"
+#include "seeds.hpp"
 
 #include <fmt/core.h>
 
@@ -21,22 +22,6 @@ namespace fs = std::filesystem;
 // A mutation of a long file rarely meets anything but vertices.
 constexpr std::uintmax_t kLongest = 8192;
 
-class Seeds {
- public:
-  explicit Seeds(fs::path root) : root_(std::move(root)) {}
-
-  void add(std::string_view target, std::string_view name, std::span<const std::byte> data) const {
-    fs::create_directories(root_ / target);
-    write_file(root_ / target / name, data);
-  }
-  void add(std::string_view target, std::string_view name, std::string_view text) const {
-    add(target, name, std::as_bytes(std::span(text)));
-  }
-
- private:
-  fs::path root_;
-};
-
 void add_files(const Seeds& seeds, const fs::path& folder, std::string_view prefix) {
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const fs::path ending = entry.path().extension();
@@ -45,7 +30,9 @@ void add_files(const Seeds& seeds, const fs::path& folder, std::string_view pref
     if (!entry.is_regular_file() || entry.file_size() > kLongest || !(scene || picture)) continue;
     std::string name = fmt::format("{}-{}", prefix, fs::relative(entry.path(), folder).string());
     for (char& c : name) c = c == '/' ? '-' : c;
-    seeds.add(scene ? "gltf" : "picture", name, read_file(entry.path(), kLongest));
+    const std::vector<std::byte> bytes = read_file(entry.path(), kLongest);
+    seeds.add(scene ? "gltf" : "picture", name, bytes);
+    if (ending == ".glb") seeds.add("glb", name, bytes);
   }
 }
 
@@ -114,6 +101,7 @@ void run(const fs::path& folder) {
   add_pictures(seeds);
   add_texts(seeds);
   add_accessors(seeds);
+  add_meshes(seeds);
 }
 
 }  // namespace

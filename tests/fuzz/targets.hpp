@@ -15,6 +15,9 @@ using Bytes = std::span<const std::byte>;
 
 void gltf(Bytes input);       // a .gltf or .glb file, read into tables and posed
 void json(Bytes input);       // JSON text, walked whole with every accessor of values
+void glb(Bytes input);        // the chunks of a .glb file, and what their JSON says of buffers
+void draco(Bytes input);      // a primitive of Draco's: the first bytes describe it, the rest is its data
+void meshopt(Bytes input);    // a view that meshoptimizer compressed, described in the same way
 void accessors(Bytes input);  // accessors over a buffer: the first bytes describe them, the rest is the buffer
 void uri(Bytes input);        // the text of a URI in a glTF file
 void picture(Bytes input);    // PNG, JPEG or WebP
@@ -27,8 +30,9 @@ struct Target {
   void (*run)(Bytes);
 };
 
-inline constexpr Target kTargets[] = {{"gltf", gltf}, {"json", json},       {"accessors", accessors},
-                                      {"uri", uri},   {"picture", picture}, {"exr", exr},
-                                      {"hdr", hdr},   {"config", config}};
+inline constexpr Target kTargets[] = {{"gltf", gltf},       {"glb", glb},         {"draco", draco},
+                                      {"meshopt", meshopt}, {"json", json},       {"accessors", accessors},
+                                      {"uri", uri},         {"picture", picture}, {"exr", exr},
+                                      {"hdr", hdr},         {"config", config}};
 
 }  // namespace velarium::fuzz
