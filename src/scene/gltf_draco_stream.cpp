@@ -157,10 +157,13 @@ class BoundedDecoder final : public Decoder {
   // Without an answer, the library predicts in a simpler way; what it then reads is thrown away.
   const draco::MeshAttributeIndicesEncodingData* GetAttributeEncodingData(int id) const override {
     const draco::MeshAttributeIndicesEncodingData* data = Decoder::GetAttributeEncodingData(id);
+    if (!data) return nullptr;
+    const std::size_t values = this->point_cloud()->attribute(id)->size();
     const auto method = static_cast<std::uint8_t>(input_.data_head()[-2]);
-    bool sound = method != draco::MESH_PREDICTION_TEX_COORDS_DEPRECATED;
-    if (data && method == draco::MESH_PREDICTION_TEX_COORDS_PORTABLE) {
-      const std::size_t values = data->encoded_attribute_value_index_to_corner_map.size();
+    // Predictions write a value for each corner of the map.
+    bool sound = data->encoded_attribute_value_index_to_corner_map.size() == values &&
+                 method != draco::MESH_PREDICTION_TEX_COORDS_DEPRECATED;
+    if (sound && method == draco::MESH_PREDICTION_TEX_COORDS_PORTABLE) {
       const auto count = orientations_after(input_, static_cast<std::uint32_t>(values));
       sound = count && *count >= 0 && static_cast<std::size_t>(*count) <= values;
     }

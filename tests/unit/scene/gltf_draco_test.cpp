@@ -18,9 +18,9 @@ namespace {
 
 constexpr const char* kName = "KHR_draco_mesh_compression";
 
-// A bowl of (kSide + 1)^2 vertices with normals and bytes of colour, whose unique ids in the data are 7, 8 and 9.
+// A bowl of (kSide + 1)^2 vertices with normals, bytes of colour and texture coordinates; 7 to 10 in the data.
 constexpr std::uint32_t kSide = 6, kPoints = (kSide + 1) * (kSide + 1), kFaces = 2 * kSide * kSide;
-constexpr std::uint32_t kPositionId = 7, kNormalId = 8, kColorId = 9;
+constexpr std::uint32_t kPositionId = 7, kNormalId = 8, kColorId = 9, kUvId = 10;
 
 glm::vec3 position_of(std::uint32_t point) {
   const float x = static_cast<float>(point % (kSide + 1)) / kSide, z = static_cast<float>(point / (kSide + 1)) / kSide;
@@ -32,6 +32,10 @@ glm::vec3 normal_of(std::uint32_t point) {
 }
 std::array<std::uint8_t, 4> color_of(std::uint32_t point) {
   return {static_cast<std::uint8_t>(point), static_cast<std::uint8_t>(5 * point), 200, 255};
+}
+
+glm::vec2 uv_of(std::uint32_t point) {
+  return {position_of(point).x, 1.0f - position_of(point).z};
 }
 
 std::array<std::uint32_t, 3> face_of(std::uint32_t face) {
@@ -66,6 +70,7 @@ std::unique_ptr<draco::Mesh> bowl() {
   add_attribute(mesh, Attribute::POSITION, draco::DT_FLOAT32, 3, kPositionId, position_of);
   add_attribute(mesh, Attribute::NORMAL, draco::DT_FLOAT32, 3, kNormalId, normal_of);
   add_attribute(mesh, Attribute::COLOR, draco::DT_UINT8, 4, kColorId, color_of);
+  add_attribute(mesh, Attribute::TEX_COORD, draco::DT_FLOAT32, 2, kUvId, uv_of);
   return out;
 }
 
@@ -80,6 +85,8 @@ std::string encode(const draco::Mesh& mesh, Method method) {
   if (method == Method::edgebreaker) {
     encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, kPositionBits);
     encoder.SetAttributeQuantization(draco::GeometryAttribute::NORMAL, kNormalBits);
+    encoder.SetAttributeQuantization(draco::GeometryAttribute::TEX_COORD, kPositionBits);
+    encoder.SetSpeedOptions(0, 0);  // every prediction that there is
   }
   draco::EncoderBuffer buffer;
   EXPECT_TRUE(encoder.EncodeMeshToBuffer(mesh, &buffer).ok());
@@ -92,12 +99,14 @@ Model compressed(const std::string& data) {
   model.root["accessors"] = {{{"componentType", kFloat}, {"count", kPoints}, {"type", "VEC3"}},
                              {{"componentType", kFloat}, {"count", kPoints}, {"type", "VEC3"}},
                              {{"componentType", kUnsignedByte}, {"count", kPoints}, {"type", "VEC4"}},
-                             {{"componentType", kUnsignedShort}, {"count", 3 * kFaces}, {"type", "SCALAR"}}};
+                             {{"componentType", kUnsignedShort}, {"count", 3 * kFaces}, {"type", "SCALAR"}},
+                             {{"componentType", kFloat}, {"count", kPoints}, {"type", "VEC2"}}};
   model.root["accessors"][2]["normalized"] = true;
-  model.primitive() = {{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"COLOR_0", 2}}}, {"indices", 3}};
+  model.primitive() = {{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"COLOR_0", 2}, {"TEXCOORD_0", 4}}},
+                       {"indices", 3}};
   model.primitive()["extensions"][kName] = {
       {"bufferView", model.add_view(data)},
-      {"attributes", {{"POSITION", kPositionId}, {"NORMAL", kNormalId}, {"COLOR_0", kColorId}}}};
+      {"attributes", {{"POSITION", kPositionId}, {"NORMAL", kNormalId}, {"COLOR_0", kColorId}, {"TEXCOORD_0", kUvId}}}};
   model.root["extensionsUsed"] = {kName};
   model.root["extensionsRequired"] = {kName};
   return model;
@@ -118,6 +127,7 @@ void expect_the_bowl(const Primitive& primitive) {
     EXPECT_EQ(primitive.vertices.positions[i], position_of(i)) << i;
     EXPECT_LT(glm::length(primitive.vertices.normals[i] - normal_of(i)), 1e-6f) << i;
     EXPECT_NEAR(primitive.colors[i].y * 255.0f, color_of(i)[1], 1e-3) << i;
+    EXPECT_EQ(primitive.uv[0][i], uv_of(i)) << i;
   }
   for (std::uint32_t i = 0; i < kFaces; ++i) {
     EXPECT_TRUE(std::ranges::equal(face_of(i), std::span(primitive.indices).subspan(3 * i, 3))) << i;
@@ -153,6 +163,7 @@ TEST(GltfDraco, EdgebreakerDataIsReadWithinItsQuantisation) {
     // An octahedron of 2^10 steps across a width of 2 is never finer than this on the sphere.
     EXPECT_LT(glm::length(primitive.vertices.normals[i] - normal_of(original[i])), 4.0f / (1 << kNormalBits)) << i;
     EXPECT_NEAR(primitive.colors[i].x * 255.0f, color_of(original[i])[0], 1e-3) << i;
+    EXPECT_LT(glm::length(primitive.uv[0][i] - uv_of(original[i])), 0.75f * step) << i;
   }
   std::vector<std::array<std::uint32_t, 3>> expected, read_faces;
   const auto from_lowest = [](std::array<std::uint32_t, 3> face) {  // the same triangle of the same winding
@@ -188,8 +199,8 @@ TEST(GltfDraco, AFallbackStaysWithPrimitivesThatAreNotCompressed) {
 TEST(GltfDraco, OtherAttributesAreReadAsUsual) {
   Model model = compressed(sequential_data());
   const int uv = model.add<float>("VEC2", kFloat, kPoints, std::vector<float>(2 * kPoints, 0.25f));
-  model.primitive()["attributes"]["TEXCOORD_0"] = uv;
-  EXPECT_EQ(read(model).primitives.at(0).uv[0], std::vector<glm::vec2>(kPoints, glm::vec2(0.25f)));
+  model.primitive()["attributes"]["TEXCOORD_1"] = uv;
+  EXPECT_EQ(read(model).primitives.at(0).uv[1], std::vector<glm::vec2>(kPoints, glm::vec2(0.25f)));
 }
 
 // What the data calls metadata is no part of the mesh, however deep it is.
@@ -244,7 +255,7 @@ TEST(GltfDraco, AccessorsMustMatchTheData) {
   for (const std::uint32_t count : {kPoints - 1, kPoints + 1}) {
     refused(at + ": the compressed data has 49 vertices, but its accessors have " + std::to_string(count),
             [=](Model& m) {
-              for (const int accessor : {0, 1, 2}) m.root["accessors"][accessor]["count"] = count;
+              for (const int accessor : {0, 1, 2, 4}) m.root["accessors"][accessor]["count"] = count;
             });
   }
   refused(at + "/attributes/POSITION: is 3, which no attribute",
