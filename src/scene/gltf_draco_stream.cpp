@@ -121,15 +121,16 @@ std::string objection(const draco::Mesh& mesh, const DracoStream::Bounds& bounds
                                         : "with its attributes, the scene has " + bounds.elements.refusal(elements);
 }
 
+constexpr int kUvComponents = 2;
+
 // How many bits of orientation a prediction of texture coordinates has, which the library would read as long as zeros
 // last: `ahead` stands before the values that they follow. None where the stream ends before.
 std::optional<std::int32_t> orientations_after(draco::DecoderBuffer ahead, std::uint32_t values) {
-  constexpr int kComponents = 2;
   std::uint8_t compressed = 0, bytes = 0;
   if (!ahead.Decode(&compressed)) return std::nullopt;
-  std::vector<std::uint32_t> skipped(std::size_t{values} * kComponents);
+  std::vector<std::uint32_t> skipped(std::size_t{values} * kUvComponents);
   if (compressed > 0) {
-    if (!draco::DecodeSymbols(values * kComponents, kComponents, &ahead, skipped.data())) return std::nullopt;
+    if (!draco::DecodeSymbols(values * kUvComponents, kUvComponents, &ahead, skipped.data())) return std::nullopt;
   } else {
     if (!ahead.Decode(&bytes) || bytes > sizeof skipped.front()) return std::nullopt;
     if (!ahead.Decode(skipped.data(), skipped.size() * bytes)) return std::nullopt;
@@ -158,14 +159,16 @@ class BoundedDecoder final : public Decoder {
   const draco::MeshAttributeIndicesEncodingData* GetAttributeEncodingData(int id) const override {
     const draco::MeshAttributeIndicesEncodingData* data = Decoder::GetAttributeEncodingData(id);
     if (!data) return nullptr;
-    const std::size_t values = this->point_cloud()->attribute(id)->size();
+    const draco::PointAttribute& attribute = *this->point_cloud()->attribute(id);
+    const std::size_t values = attribute.size();
     const auto method = static_cast<std::uint8_t>(input_.data_head()[-2]);
     // Predictions write a value for each corner of the map.
     bool sound = data->encoded_attribute_value_index_to_corner_map.size() == values &&
                  method != draco::MESH_PREDICTION_TEX_COORDS_DEPRECATED;
     if (sound && method == draco::MESH_PREDICTION_TEX_COORDS_PORTABLE) {
       const auto count = orientations_after(input_, static_cast<std::uint32_t>(values));
-      sound = count && *count >= 0 && static_cast<std::size_t>(*count) <= values;
+      sound = attribute.num_components() == kUvComponents && count && *count >= 0 &&
+              static_cast<std::size_t>(*count) <= values;
     }
     if (!sound) objection_ = "the compressed data is damaged";
     return sound ? data : nullptr;
