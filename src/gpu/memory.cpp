@@ -1,6 +1,7 @@
 #include "gpu/memory.hpp"
 
 #include "core/assert.hpp"
+#include "core/huge_pages.hpp"
 #include "gpu/check.hpp"
 
 #include <velarium/error.hpp>
@@ -21,6 +22,9 @@ VkDeviceSize align_up(VkDeviceSize value, VkDeviceSize alignment) {
 
 MemoryAllocator::MemoryAllocator(VkPhysicalDevice physical, VkDevice device) : device_(device) {
   vkGetPhysicalDeviceMemoryProperties(physical, &properties_);
+  VkPhysicalDeviceProperties device_properties{};
+  vkGetPhysicalDeviceProperties(physical, &device_properties);
+  host_is_device_ = device_properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
 }
 
 MemoryAllocator::~MemoryAllocator() {
@@ -98,10 +102,12 @@ std::uint32_t MemoryAllocator::add_block(std::uint32_t type, VkDeviceSize size, 
       .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = size, .memoryTypeIndex = type};
   Block block{.size = size, .type = type, .linear = linear, .free_ranges = {{0, size}}};
   check(vkAllocateMemory(device_, &info, nullptr, &block.memory), "allocating device memory");
-  if ((properties_.memoryTypes[type].propertyFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) != 0 && linear) {
+  const bool mappable = (properties_.memoryTypes[type].propertyFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) != 0;
+  if (mappable && (linear || host_is_device_)) {
     void* mapped = nullptr;
     check(vkMapMemory(device_, block.memory, 0, VK_WHOLE_SIZE, 0, &mapped), "mapping device memory");
     block.mapped = static_cast<std::byte*>(mapped);
+    if (host_is_device_) prefer_huge_pages({block.mapped, size});
   }
   for (std::uint32_t i = 0; i < blocks_.size(); ++i) {
     if (blocks_[i].memory != VK_NULL_HANDLE) continue;

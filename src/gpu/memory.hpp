@@ -53,7 +53,8 @@ class MemoryAllocator {
 
   VkDevice device_;
   VkPhysicalDeviceMemoryProperties properties_{};
-  std::vector<Block> blocks_;  // an emptied large block keeps its place with a null memory
+  bool host_is_device_ = false;  // a CPU driver
+  std::vector<Block> blocks_;    // an emptied large block keeps its place with a null memory
   std::uint64_t used_ = 0, peak_ = 0;
 };
 
