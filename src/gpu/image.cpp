@@ -1,5 +1,6 @@
 #include "gpu/image.hpp"
 
+#include "core/assert.hpp"
 #include "gpu/check.hpp"
 
 #include <algorithm>
@@ -26,8 +27,24 @@ VkImageAspectFlags aspects(VkFormat format) {
   return flags;
 }
 
-Image::Image(Device& device, const ImageDesc& desc, VkImageUsageFlags usage)
-    : device_(&device), desc_(desc), usage_(usage) {
+bool can_be_linear(const Device& device, const ImageDesc& desc, VkImageUsageFlags usage) {
+  VkImageFormatProperties most{};
+  const VkResult result = vkGetPhysicalDeviceImageFormatProperties(device.physical(), desc.format, VK_IMAGE_TYPE_2D,
+                                                                   VK_IMAGE_TILING_LINEAR, usage, 0, &most);
+  VkFormatProperties format{};
+  vkGetPhysicalDeviceFormatProperties(device.physical(), desc.format, &format);
+  constexpr VkFormatFeatureFlags kFiltered = VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+  return result == VK_SUCCESS && (format.linearTilingFeatures & kFiltered) != 0 && desc.mips <= most.maxMipLevels &&
+         desc.layers <= most.maxArrayLayers && desc.width <= most.maxExtent.width &&
+         desc.height <= most.maxExtent.height;
+}
+
+Image::Image(Device& device, const ImageDesc& desc, VkImageUsageFlags usage, Tiling tiling)
+    : layout(tiling == Tiling::linear ? VK_IMAGE_LAYOUT_PREINITIALIZED : VK_IMAGE_LAYOUT_UNDEFINED),
+      device_(&device),
+      desc_(desc),
+      usage_(usage) {
+  const bool linear = tiling == Tiling::linear;
   const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
                                .flags = desc.cube ? VkImageCreateFlags{VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT} : 0u,
                                .imageType = VK_IMAGE_TYPE_2D,
@@ -36,12 +53,13 @@ Image::Image(Device& device, const ImageDesc& desc, VkImageUsageFlags usage)
                                .mipLevels = desc.mips,
                                .arrayLayers = desc.layers,
                                .samples = VK_SAMPLE_COUNT_1_BIT,
-                               .tiling = VK_IMAGE_TILING_OPTIMAL,
-                               .usage = usage};
+                               .tiling = linear ? VK_IMAGE_TILING_LINEAR : VK_IMAGE_TILING_OPTIMAL,
+                               .usage = usage,
+                               .initialLayout = layout};
   check(vkCreateImage(device.vk(), &info, nullptr, &image_), "vkCreateImage");
   VkMemoryRequirements needs{};
   vkGetImageMemoryRequirements(device.vk(), image_, &needs);
-  allocation_ = device.memory().allocate(needs, MemoryUse::device, false);
+  allocation_ = device.memory().allocate(needs, linear ? MemoryUse::upload : MemoryUse::device, linear);
   check(vkBindImageMemory(device.vk(), image_, allocation_.memory, allocation_.offset), "vkBindImageMemory");
 
   const VkImageViewType type = desc.cube         ? VK_IMAGE_VIEW_TYPE_CUBE
@@ -91,6 +109,14 @@ Image& Image::operator=(Image&& other) noexcept {
   std::swap(stencil_view_, moved.stencil_view_);
   std::swap(mip_views_, moved.mip_views_);
   return *this;
+}
+
+Image::MappedRows Image::mapped_rows(std::uint32_t mip) const {
+  VEL_ASSERT(allocation_.mapped != nullptr);
+  const VkImageSubresource subresource{VK_IMAGE_ASPECT_COLOR_BIT, mip, 0};
+  VkSubresourceLayout place{};
+  vkGetImageSubresourceLayout(device_->vk(), image_, &subresource, &place);
+  return {allocation_.mapped + place.offset, static_cast<std::size_t>(place.rowPitch)};
 }
 
 VkImageView Image::make_view(VkImageViewType type, VkImageAspectFlags aspect, std::uint32_t mip,

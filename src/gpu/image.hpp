@@ -13,6 +13,12 @@ struct ImageDesc {
   bool operator==(const ImageDesc&) const = default;
 };
 
+// Linear: rows as the host would lay them out, in memory that is mapped. For CPU drivers, which read it as fast.
+enum class Tiling { optimal, linear };
+
+// Can this device make such an image with linear tiling?
+[[nodiscard]] bool can_be_linear(const Device& device, const ImageDesc& desc, VkImageUsageFlags usage);
+
 // Full length of a mip chain.
 [[nodiscard]] std::uint32_t full_mip_count(std::uint32_t width, std::uint32_t height);
 
@@ -26,7 +32,8 @@ struct ImageDesc {
 class Image {
  public:
   Image() = default;
-  Image(Device& device, const ImageDesc& desc, VkImageUsageFlags usage);
+  // Precondition of linear tiling: can_be_linear(), and one layer. Its layout begins as PREINITIALIZED.
+  Image(Device& device, const ImageDesc& desc, VkImageUsageFlags usage, Tiling tiling = Tiling::optimal);
   ~Image();
   Image(Image&& other) noexcept;
   Image& operator=(Image&& other) noexcept;
@@ -45,6 +52,13 @@ class Image {
 
   // One mip as a 2-D array of all layers, to store to.
   [[nodiscard]] VkImageView mip_view(std::uint32_t mip) const { return mip_views_[mip]; }
+
+  // Where the host finds a mip of a linear image.
+  struct MappedRows {
+    std::byte* first;
+    std::size_t pitch;  // bytes from one row to the next
+  };
+  [[nodiscard]] MappedRows mapped_rows(std::uint32_t mip) const;
 
  private:
   [[nodiscard]] VkImageView make_view(VkImageViewType type, VkImageAspectFlags aspect, std::uint32_t mip,

@@ -1,6 +1,7 @@
 #include "upload/transfer.hpp"
 
 #include "gpu/barrier.hpp"
+#include "upload/host_images.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -57,10 +58,8 @@ void record_upload(VkCommandBuffer commands, gpu::Image& image, VkBuffer staging
     blit_mip(commands, image, mip);
   }
   constexpr VkImageLayout kSampled = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-  constexpr gpu::Scope kShaders{VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                                VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
-  if (desc.mips > 1) change({0, desc.mips - 1}, gpu::kTransferRead, kShaders, {kSrc, kSampled});
-  change({desc.mips - 1, 1}, gpu::kTransferWrite, kShaders, {kDst, kSampled});
+  if (desc.mips > 1) change({0, desc.mips - 1}, gpu::kTransferRead, kSampledByShaders, {kSrc, kSampled});
+  change({desc.mips - 1, 1}, gpu::kTransferWrite, kSampledByShaders, {kDst, kSampled});
   image.layout = kSampled;
 }
 
@@ -83,6 +82,22 @@ void upload_batch(gpu::Device& device, std::span<const ImageSource> sources, std
   device.submit_and_wait(commands);
 }
 
+// Uploads in batches of bounded staging memory.
+std::vector<gpu::Image> make_staged_images(gpu::Device& device, std::span<const ImageSource> sources) {
+  std::vector<gpu::Image> images;
+  images.reserve(sources.size());
+  for (const auto& source : sources) images.emplace_back(device, source.desc, kUsage);
+  for (std::size_t first = 0; first < sources.size();) {
+    std::size_t last = first;
+    VkDeviceSize bytes = 0;
+    while (last < sources.size() && (last == first || bytes + staged_size(sources[last]) <= kBatchBytes))
+      bytes += staged_size(sources[last++]);
+    upload_batch(device, sources.subspan(first, last - first), std::span(images).subspan(first, last - first));
+    first = last;
+  }
+  return images;
+}
+
 }  // namespace
 
 gpu::Buffer make_buffer(gpu::Device& device, std::span<const std::byte> bytes, VkBufferUsageFlags usage) {
@@ -103,18 +118,9 @@ gpu::Buffer make_buffer(gpu::Device& device, std::span<const std::byte> bytes, V
 }
 
 std::vector<gpu::Image> make_images(gpu::Device& device, std::span<const ImageSource> sources) {
-  std::vector<gpu::Image> images;
-  images.reserve(sources.size());
-  for (const auto& source : sources) images.emplace_back(device, source.desc, kUsage);
-  for (std::size_t first = 0; first < sources.size();) {
-    std::size_t last = first;
-    VkDeviceSize bytes = 0;
-    while (last < sources.size() && (last == first || bytes + staged_size(sources[last]) <= kBatchBytes))
-      bytes += staged_size(sources[last++]);
-    upload_batch(device, sources.subspan(first, last - first), std::span(images).subspan(first, last - first));
-    first = last;
-  }
-  return images;
+  const bool in_place = std::all_of(sources.begin(), sources.end(),
+                                    [&](const ImageSource& source) { return host_can_write(device, source.desc); });
+  return in_place ? make_host_images(device, sources) : make_staged_images(device, sources);
 }
 
 }  // namespace velarium::upload

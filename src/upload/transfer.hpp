@@ -1,7 +1,7 @@
 #pragma once
 
+#include "gpu/barrier.hpp"
 #include "gpu/buffer.hpp"
-#include "gpu/image.hpp"
 
 #include <span>
 #include <vector>
@@ -23,7 +23,11 @@ struct ImageSource {
   std::span<const std::byte> texels;
 };
 
-// Uploads in batches of bounded staging memory.
+inline constexpr gpu::Scope kSampledByShaders{
+    VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+    VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
+
+// Where the device is the host, writes in place; elsewhere uploads in batches of bounded staging memory.
 [[nodiscard]] std::vector<gpu::Image> make_images(gpu::Device& device, std::span<const ImageSource> sources);
 
 }  // namespace velarium::upload
