@@ -14,6 +14,7 @@ struct Candidate {
   const scene::Instance* instance;
   std::uint32_t material;
   double distance2;  // of the bounds' centre from the eye, square metres
+  bool joins;        // may it share a draw with a neighbour of the same state?
   auto state() const { return std::tuple(instance->primitive, instance->deformed, material, instance->mirrored); }
 };
 
@@ -28,12 +29,12 @@ ObjectData object_data(const scene::Instance& instance, const glm::dvec3& eye) {
 }
 
 // Appends a draw for each run of candidates that share their state.
-void add_draws(const std::vector<Candidate>& candidates, bool join, const glm::dvec3& eye,
-               std::vector<ObjectData>& objects, std::vector<Draw>& draws) {
+void add_draws(const std::vector<Candidate>& candidates, const glm::dvec3& eye, std::vector<ObjectData>& objects,
+               std::vector<Draw>& draws) {
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const auto& c = candidates[i];
     objects.push_back(object_data(*c.instance, eye));
-    if (join && i > 0 && candidates[i - 1].state() == c.state()) {
+    if (c.joins && i > 0 && candidates[i - 1].state() == c.state()) {
       ++draws.back().object_count;
       continue;
     }
@@ -83,15 +84,19 @@ DrawList make_draw_list(const scene::Scene& scene, const scene::Moment& moment, 
     if (instance.bounds.empty() || !overlaps(frustum, instance.bounds)) continue;
     const std::int32_t material = scene.primitives[instance.primitive].material;
     const glm::dvec3 center = 0.5 * (glm::dvec3(instance.bounds.min) + glm::dvec3(instance.bounds.max)) - eye;
-    const bool blend = material_or_default(scene, material).alpha_mode == scene::AlphaMode::blend;
-    (blend ? blended : opaque).push_back({&instance, material_index(scene, material), glm::dot(center, center)});
+    const auto& surface = material_or_default(scene, material);
+    const bool blend = surface.alpha_mode == scene::AlphaMode::blend;
+    // Double-sided blended surfaces are drawn one by one: far side, then near side.
+    (blend ? blended : opaque)
+        .push_back(
+            {&instance, material_index(scene, material), glm::dot(center, center), !(blend && surface.double_sided)});
   }
   sort_opaque(opaque);
   std::stable_sort(blended.begin(), blended.end(),
                    [](const Candidate& a, const Candidate& b) { return a.distance2 > b.distance2; });
   DrawList list;
-  add_draws(opaque, true, eye, list.objects, list.opaque);
-  add_draws(blended, false, eye, list.objects, list.blended);
+  add_draws(opaque, eye, list.objects, list.opaque);
+  add_draws(blended, eye, list.objects, list.blended);
   return list;
 }
 

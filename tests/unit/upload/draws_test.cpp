@@ -1,0 +1,116 @@
+#include "upload/draws.hpp"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+
+namespace velarium::upload {
+namespace {
+
+// Everything is inside: planes far out, facing in.
+Frustum everything() {
+  Frustum frustum;
+  frustum.fill(glm::dvec4(0.0, 0.0, 0.0, 1.0));
+  return frustum;
+}
+
+class Draws : public ::testing::Test {
+ protected:
+  Draws() {
+    scene_.materials.resize(3);
+    scene_.materials[kGlass].alpha_mode = scene::AlphaMode::blend;
+    scene_.materials[kDoubleGlass].alpha_mode = scene::AlphaMode::blend;
+    scene_.materials[kDoubleGlass].double_sided = true;
+    for (std::int32_t material = 0; material < 3; ++material) {
+      scene::Primitive primitive;
+      primitive.material = material;
+      scene_.primitives.push_back(primitive);
+    }
+  }
+
+  // A unit cube around `place`.
+  void add(std::uint32_t primitive, const glm::vec3& place) {
+    scene::Instance instance;
+    instance.primitive = primitive;
+    instance.world_from_object = glm::translate(glm::mat4(1.0f), place);
+    instance.bounds = {place - 0.5f, place + 0.5f};
+    moment_.instances.push_back(instance);
+  }
+  [[nodiscard]] DrawList list(const Frustum& frustum = everything()) const {
+    return make_draw_list(scene_, moment_, frustum, glm::dvec3(0.0));
+  }
+
+  static constexpr std::uint32_t kSolid = 0, kGlass = 1, kDoubleGlass = 2;
+  scene::Scene scene_;
+  scene::Moment moment_;
+};
+
+TEST_F(Draws, ManyInstancesOfOneMeshAreOneDraw) {
+  for (int i = 0; i < 4096; ++i) add(kSolid, {static_cast<float>(i % 64), 0.0f, static_cast<float>(i / 64)});
+  const DrawList list = this->list();
+  ASSERT_EQ(list.opaque.size(), 1u);
+  EXPECT_EQ(list.opaque[0].object_count, 4096u);
+  EXPECT_EQ(list.objects.size(), 4096u);
+}
+
+TEST_F(Draws, MirroredAndDeformedInstancesAreDrawnApart) {
+  for (int i = 0; i < 4; ++i) add(kSolid, {static_cast<float>(i), 0.0f, 0.0f});
+  moment_.instances[1].mirrored = true;
+  moment_.instances[2].deformed = 0;
+  const DrawList list = this->list();
+  ASSERT_EQ(list.opaque.size(), 3u);
+  EXPECT_EQ(list.opaque[0].object_count, 2u);
+}
+
+TEST_F(Draws, BlendedNeighboursOfOneStateAreOneDrawFarToNear) {
+  for (int i = 0; i < 100; ++i) add(kGlass, {0.0f, 0.0f, -static_cast<float>(i)});
+  const DrawList list = this->list();
+  ASSERT_EQ(list.blended.size(), 1u);
+  EXPECT_EQ(list.blended[0].object_count, 100u);
+  EXPECT_TRUE(std::is_sorted(list.objects.begin(), list.objects.end(), [](const ObjectData& a, const ObjectData& b) {
+    return a.world_from_object[2].w < b.world_from_object[2].w;
+  }));
+  EXPECT_EQ(list.objects.front().world_from_object[2].w, -99.0f);
+}
+
+TEST_F(Draws, DoubleSidedBlendedSurfacesAreDrawnOneByOne) {
+  for (int i = 0; i < 5; ++i) add(kDoubleGlass, {0.0f, 0.0f, -static_cast<float>(i)});
+  EXPECT_EQ(list().blended.size(), 5u);
+}
+
+TEST_F(Draws, BlendedSurfacesAreNotReorderedToJoin) {
+  add(kGlass, {0.0f, 0.0f, -1.0f});
+  add(kDoubleGlass, {0.0f, 0.0f, -2.0f});
+  add(kGlass, {0.0f, 0.0f, -3.0f});
+  const DrawList list = this->list();
+  ASSERT_EQ(list.blended.size(), 3u);
+  EXPECT_EQ(list.blended[0].primitive, kGlass);
+  EXPECT_EQ(list.blended[1].primitive, kDoubleGlass);
+}
+
+TEST_F(Draws, WhatTheFrustumMissesIsNotDrawn) {
+  for (const float x : {-10.0f, 0.2f, 10.0f}) add(kSolid, {x, 0.0f, 0.0f});
+  Frustum frustum = everything();
+  frustum[0] = glm::dvec4(1.0, 0.0, 0.0, 0.0);   // x >= 0
+  frustum[1] = glm::dvec4(-1.0, 0.0, 0.0, 5.0);  // x <= 5
+  const DrawList list = this->list(frustum);
+  ASSERT_EQ(list.objects.size(), 1u);
+  EXPECT_FLOAT_EQ(list.objects[0].world_from_object[0].w, 0.2f);
+}
+
+TEST_F(Draws, StatesStandWhereTheirNearestInstanceDoes) {
+  scene_.primitives.push_back({});
+  scene_.primitives.back().material = 0;
+  add(kSolid, {0.0f, 0.0f, -9.0f});
+  add(3, {0.0f, 0.0f, -5.0f});
+  add(kSolid, {0.0f, 0.0f, -1.0f});
+  const DrawList list = this->list();
+  ASSERT_EQ(list.opaque.size(), 2u);
+  EXPECT_EQ(list.opaque[0].primitive, kSolid);
+  EXPECT_EQ(list.opaque[0].object_count, 2u);
+}
+
+}  // namespace
+}  // namespace velarium::upload
