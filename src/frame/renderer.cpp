@@ -2,6 +2,7 @@
 
 #include "bake/environment_brdf.hpp"
 #include "bake/normal_lengths.hpp"
+#include "core/huge_pages.hpp"
 #include "frame/check_request.hpp"
 #include "frame/dump.hpp"
 #include "frame/timings.hpp"
@@ -156,10 +157,12 @@ void Renderer::read_picture(const Job& job, RenderResult& result) {
   const std::size_t values = std::size_t{4} * request.width * request.height;
   if (request.want_linear) {
     const auto mapped = executor_.buffer(out.linear).mapped_as<float>().first(values);
+    reserve_on_huge_pages(picture.linear, values);
     picture.linear.assign(mapped.begin(), mapped.end());
   }
   if (request.want_display) {
     const auto mapped = executor_.buffer(out.display).mapped_as<std::uint16_t>().first(values);
+    reserve_on_huge_pages(picture.display, values);
     picture.display.assign(mapped.begin(), mapped.end());
   }
 }

@@ -1,5 +1,6 @@
 #include "image/codecs.hpp"
 
+#include "core/huge_pages.hpp"
 #include "core/log.hpp"
 
 #include <turbojpeg.h>
@@ -67,7 +68,9 @@ ByteImage read_jpeg(Bytes data, const std::string& what, const Limits& limits) {
   const Handle handle = decompressor();
   const Header header = read_header(handle.get(), data, what);
   check_size(header.size, what, limits);
-  ByteImage image{header.size.width, header.size.height, std::vector<std::uint8_t>(channel_count(header.size))};
+  ByteImage image{header.size.width, header.size.height, {}};
+  reserve_on_huge_pages(image.rgba, channel_count(header.size));
+  image.rgba.resize(channel_count(header.size));
   // A small progressive file can hold scans for hours: libjpeg-turbo then stops at 500.
   const int result =
       tjDecompress2(handle.get(), data_of(data), data.size(), image.rgba.data(), static_cast<int>(image.width), 0,

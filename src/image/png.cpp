@@ -1,8 +1,10 @@
 #include "image/codecs.hpp"
 
 #include "core/assert.hpp"
+#include "core/huge_pages.hpp"
 
 #include <png.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <bit>
@@ -113,8 +115,10 @@ class Writer {
     png_set_IHDR(png_, info_, size.width, size.height, bits, with_alpha ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
-    png_set_compression_level(png_, kCompressionLevel);
-    png_set_filter(png_, PNG_FILTER_TYPE_BASE, kFilters);
+    // Paeth's filter leaves noise and runs, so that matching runs alone finds what there is: on rendered pictures 2.5
+    // times as fast as matching strings at level 4, and as small (docs/performance.md).
+    png_set_compression_strategy(png_, Z_RLE);
+    png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
     if (!texts.empty()) png_set_text(png_, info_, texts.data(), static_cast<int>(texts.size()));
     png_write_info(png_, info_);
     if (!with_alpha) png_set_filler(png_, 0, PNG_FILLER_AFTER);
@@ -125,9 +129,6 @@ class Writer {
   }
 
  private:
-  static constexpr int kCompressionLevel = 4;
-  static constexpr int kFilters = PNG_FILTER_SUB | PNG_FILTER_UP;
-
   png_structp png_;
   png_infop info_;
 };
@@ -145,6 +146,7 @@ Image read(Bytes data, const std::string& what, const Limits& limits) {
   const Size size = png_size(data, what);
   check_size(size, what, limits);
   Image image{size.width, size.height, {}};
+  reserve_on_huge_pages(image.rgba, channel_count(size));
   image.rgba.resize(channel_count(size));
   std::vector<png_bytep> rows = row_pointers(image.rgba.data(), size);
   Session session{data, {}, {}};
