@@ -12,10 +12,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace velarium::app {
 namespace {
@@ -23,6 +26,28 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kDefaultScene = "builtin:atrium";
+
+// An engine that is made, and prepared for a picture, on a thread of its own. Where the scene fails meanwhile, its
+// error is the one that is heard: nobody asks for the engine's.
+class EngineAhead {
+ public:
+  // Where the system has no thread to give, the engine is made in get().
+  EngineAhead(const EngineOptions& options, const RenderRequest& request)
+      : engine_(std::async([this, options, request] {
+          Engine engine(options);
+          if (wanted_) engine.prepare(request);
+          return engine;
+        })) {}
+  ~EngineAhead() { wanted_ = false; }
+  EngineAhead(const EngineAhead&) = delete;
+  EngineAhead& operator=(const EngineAhead&) = delete;
+
+  [[nodiscard]] Engine get() { return engine_.get(); }
+
+ private:
+  std::atomic<bool> wanted_ = true;
+  std::future<Engine> engine_;  // waits for its thread when it is destroyed
+};
 
 class Render {
  public:
@@ -36,7 +61,8 @@ class Render {
   };
 
   void check_outputs() const;
-  RenderResult render_frames(const Scene& scene);
+  [[nodiscard]] RenderRequest picture_request() const;
+  RenderResult render_frames(Engine engine, const Scene& scene, RenderRequest request);
   void save_dumps(const std::vector<DumpedImage>& images) const;
   void write_timings(const RenderReport& report) const;
   void say_summary(const RenderReport& report) const;
@@ -77,12 +103,18 @@ void Render::run() {
   if (output_.empty()) output_ = picture_name(scene_);
   check_outputs();
 
+  const RenderRequest request = picture_request();
+  EngineAhead ahead(view_.engine, request);
   const Scene scene = Scene::load(scene_, view_.load);
   for (const std::string& warning : scene.info().warnings) say_warning(warning);
   phases_.emplace_back("load", phase_.lap_ms());
   check_interrupt();
 
-  const RenderResult result = render_frames(scene);
+  Engine engine = ahead.get();
+  phases_.emplace_back("device", phase_.lap_ms());
+  check_interrupt();
+
+  const RenderResult result = render_frames(std::move(engine), scene, request);
   for (const std::string& note : result.report.notes) say_note(note);
   result.picture.save(output_, view_.request.settings);
   save_dumps(result.dumps);
@@ -97,15 +129,15 @@ void Render::check_outputs() const {
   if (!timings_.empty() && timings_ != "-") check_writable(timings_);
 }
 
-RenderResult Render::render_frames(const Scene& scene) {
-  Engine engine(view_.engine);
-  phases_.emplace_back("device", phase_.lap_ms());
-  check_interrupt();
-
+RenderRequest Render::picture_request() const {
   RenderRequest request = view_.request;
   request.want_linear = Picture::stores_linear(output_);
   request.want_display = !request.want_linear;
   for (const Dump& dump : dumps_) request.dumps.push_back(dump.image);
+  return request;
+}
+
+RenderResult Render::render_frames(Engine engine, const Scene& scene, RenderRequest request) {
   Progress progress(verbosity() == Verbosity::quiet ? ProgressStyle::none : progress_);
   request.on_frame = [&progress](std::uint32_t done, std::uint32_t of) {
     check_interrupt();

@@ -90,6 +90,10 @@ class Engine {
   Engine(Engine&&) noexcept;
   Engine& operator=(Engine&&) noexcept;
 
+  // Does ahead what pictures of `request` need and no scene decides, where the request names its environment: bakes that,
+  // makes tables, and lets the driver compile pipelines. Pictures are the same without it; it is worth a call on a thread of
+  // its own while a scene loads (docs/library.md). Throws as render() does for the environment and the settings.
+  void prepare(const RenderRequest& request);
   [[nodiscard]] RenderResult render(const Scene& scene, const RenderRequest& request);
   // The picture alone.
   [[nodiscard]] Picture picture(const Scene& scene, const RenderRequest& request = {}) { return render(scene, request).picture; }

@@ -6,7 +6,31 @@
 #include "frame/renderer.hpp"
 #include "scene/moment.hpp"
 
+#include <algorithm>
+#include <bit>
+
 namespace velarium {
+namespace {
+
+// Drivers that compile a pipeline for what it meets (llvmpipe) look at formats and at whether sizes are powers of two,
+// so a rehearsal's picture is like the real one in both.
+std::uint32_t rehearsal_size(std::uint32_t size) {
+  return std::has_single_bit(size) ? 16 : 24;
+}
+
+// The same pipelines for a few pixels. The first frame of a picture writes, further ones add: two show both.
+RenderRequest rehearsal_of(const RenderRequest& request) {
+  RenderRequest small = request;
+  small.width = rehearsal_size(request.width);
+  small.height = rehearsal_size(request.height);
+  small.look_at = LookAt{};
+  small.settings.frame.spp = std::min(request.settings.frame.spp, 2);
+  small.dumps.clear();
+  small.on_frame = nullptr;
+  return small;
+}
+
+}  // namespace
 
 std::vector<DeviceInfo> list_devices() {
   const gpu::Instance instance(false);
@@ -53,6 +77,16 @@ Engine::Engine(const EngineOptions& options) : state_(std::make_unique<State>(op
 Engine::~Engine() = default;
 Engine::Engine(Engine&&) noexcept = default;
 Engine& Engine::operator=(Engine&&) noexcept = default;
+
+void Engine::prepare(const RenderRequest& request) {
+  if (request.environment.empty()) return;  // the scene will decide
+  const bake::Environment* environment = state_->load_environment(request.environment);
+  const RenderRequest small = rehearsal_of(request);
+  const scene::Scene nothing;
+  const scene::Moment moment;
+  const upload::GpuScene gpu_scene(state_->device, nothing);
+  static_cast<void>(state_->renderer.render({gpu_scene, moment, api::camera_of(moment, small), environment, small}));
+}
 
 RenderResult Engine::render(const Scene& scene, const RenderRequest& request) {
   std::vector<std::string> notes;

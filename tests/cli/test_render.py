@@ -123,6 +123,11 @@ class Flags(CliTest):
         self.expect(NO_DEVICE, "render", "builtin:spheres", *SMALL, "--device", "abacus", says="abacus")
         self.assertEqual(self.names(), [])
 
+    def test_the_scenes_error_is_heard_before_the_engines(self):
+        for _ in range(3):
+            self.expect(MISSING, "render", "none.gltf", *SMALL, "--device", "abacus", says="none.gltf")
+            self.expect(MISSING, "render", "none.gltf", *SMALL, "--env", "none.hdr", says="none.gltf")
+
     def test_cameras_by_name_and_index(self):
         self.write("a.gltf", triangle_gltf(**CAMERAS))
         front = self.render("a.gltf").read_bytes()

@@ -85,6 +85,7 @@ void render_pictures(const velarium::Scene& scene) {
   compare_pictures(near, far);
 
   velarium::Engine second;
+  second.prepare(request_of(64, 32, 9));
   const velarium::Scene spheres = velarium::Scene::load("builtin:spheres");
   expect(second.picture(spheres, request_of(64, 32, 9)).linear != far.linear, "scenes differ");
   expect(second.picture(scene, request_of(64, 32, 3)).display == near.display, "two engines make equal bytes");
