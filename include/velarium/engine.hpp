@@ -58,10 +58,12 @@ struct RenderRequest {
 struct PassTime {
   std::string name;
   double ms = 0;                    // median over the frames, the first excluded where there are several
+  std::vector<double> frames_ms;    // each of those frames, in order
 };
 
 struct RenderReport {
   double frame_ms = 0;              // device time of a frame: median, the first excluded where there are several
+  std::vector<double> frames_ms;    // each of those frames, in order
   std::uint32_t frames = 0;
   std::vector<PassTime> passes;
   std::uint64_t device_bytes = 0;   // peak of device memory that this engine allocated

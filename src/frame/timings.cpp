@@ -1,6 +1,7 @@
 #include "frame/timings.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace velarium::frame {
 namespace {
@@ -30,10 +31,12 @@ void Timings::write(RenderReport& report) const {
     totals.push_back(total);
   }
   report.frame_ms = median(totals);
+  report.frames_ms = std::move(totals);
   for (std::size_t p = 0; p < frames_.front().size(); ++p) {
     std::vector<double> times;
     for (std::size_t f = first; f < frames_.size(); ++f) times.push_back(frames_[f][p].ms);
-    report.passes.push_back({frames_.front()[p].name, median(times)});
+    const double middle = median(times);
+    report.passes.push_back({frames_.front()[p].name, middle, std::move(times)});
   }
 }
 

@@ -209,19 +209,6 @@ class Reports(CliTest):
             self.assertEqual(device["usable"], device["why_not"] == "", device)
         self.assertIn(devices[0]["name"], self.expect(OK, "devices"))
 
-    def test_bench(self):
-        names = self.expect(OK, "bench", "--list").split()
-        self.assertIn("builtin:spheres", names)
-        arguments = ["bench", "builtin:spheres", "--size", "48x32", "--frames", "3", "--warm-up", "1"]
-        self.assertIn("frame on the device", self.expect(OK, *arguments))
-        bench = json.loads(self.expect(OK, *arguments, "--json", "-"))
-        self.assertEqual((bench["width"], bench["height"], bench["frames"], bench["warm_up"]), (48, 32, 3, 1))
-        self.assertEqual([scene["scene"] for scene in bench["scenes"]], ["builtin:spheres"])
-        self.assertGreater(bench["scenes"][0]["frame_ms"], 0)
-        self.assertGreater(bench["process_peak_bytes"], 1 << 20)
-        self.expect(OK, *arguments, "--json", "b.json")
-        self.assertEqual(json.loads((self.folder / "b.json").read_text())["frames"], 3)
-
 
 @needs_device
 class Signals(CliTest):

@@ -1,0 +1,44 @@
+#include "bench_statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace velarium::app {
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+double median_absolute_deviation(std::vector<double> values) {
+  const double center = median(values);
+  for (double& value : values) value = std::abs(value - center);
+  return median(std::move(values));
+}
+
+std::optional<PowerFit> fit_power(std::span<const double> x, std::span<const double> y) {
+  const auto count = static_cast<double>(x.size());
+  double mean_x = 0, mean_y = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!(x[i] > 0.0 && y[i] > 0.0)) return std::nullopt;
+    mean_x += std::log(x[i]) / count;
+    mean_y += std::log(y[i]) / count;
+  }
+  double xx = 0, xy = 0, yy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double dx = std::log(x[i]) - mean_x, dy = std::log(y[i]) - mean_y;
+    xx += dx * dx;
+    xy += dx * dy;
+    yy += dy * dy;
+  }
+  if (!(xx > 0.0)) return std::nullopt;
+  PowerFit fit{.exponent = xy / xx, .standard_error = std::nullopt};
+  // Rounding may leave a perfect fit slightly below nothing.
+  if (x.size() >= 3) fit.standard_error = std::sqrt(std::max(yy - xy * xy / xx, 0.0) / (count - 2.0) / xx);
+  return fit;
+}
+
+}  // namespace velarium::app
