@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 namespace velarium::image {
 namespace {
@@ -65,17 +66,52 @@ Size window_size(const std::array<std::int32_t, 4>& box, const std::string& what
 }
 
 // A channel: name, type (1 is half, the others have four bytes), linearity, and how often it is sampled. An empty name
-// ends the list.
+// ends the list, and must do so where the attribute ends: OpenEXR looks at the name alone.
 std::uint64_t bytes_of_channels(Bytes value, const std::string& what) {
   constexpr std::uint32_t kHalf = 1;
   constexpr std::size_t kLinearityAndSampling = 12;
   std::uint64_t bytes = 0;
   AttributeReader reader(value, what);
-  while (!reader.at_end() && !reader.text().empty()) {
+  while (!reader.text().empty()) {
     bytes += reader.integer() == kHalf ? 2 : 4;
     (void)reader.take(kLinearityAndSampling);
   }
+  if (!reader.at_end()) invalid(what, "OpenEXR: the list of channels ends before its attribute");
   return bytes;
+}
+
+// OpenEXR reads these types without looking at the size that the file gives. Where that is wrong, it and this check
+// would see different attributes in what follows.
+void check_attribute_size(std::string_view type, std::size_t size, const std::string& what) {
+  constexpr std::array<std::pair<std::string_view, std::size_t>, 24> kSizes{{
+      {"box2f", 16},
+      {"box2i", 16},
+      {"chromaticities", 32},
+      {"compression", 1},
+      {"deepImageState", 1},
+      {"double", 8},
+      {"envmap", 1},
+      {"float", 4},
+      {"int", 4},
+      {"keycode", 28},
+      {"lineOrder", 1},
+      {"m33d", 72},
+      {"m33f", 36},
+      {"m44d", 128},
+      {"m44f", 64},
+      {"rational", 8},
+      {"tiledesc", 9},
+      {"timecode", 8},
+      {"v2d", 16},
+      {"v2f", 8},
+      {"v2i", 8},
+      {"v3d", 24},
+      {"v3f", 12},
+      {"v3i", 12},
+  }};
+  const auto row = std::find_if(kSizes.begin(), kSizes.end(), [&](const auto& r) { return r.first == type; });
+  if (row != kSizes.end() && row->second != size)
+    invalid(what, fmt::format("OpenEXR: an attribute of type {} has {} bytes instead of {}", type, size, row->second));
 }
 
 // In the order of the format's compression methods: none, RLE, ZIPS, ZIP, PIZ, PXR24, B44, B44A, DWAA, DWAB.
@@ -87,6 +123,7 @@ std::uint64_t rows_of_chunk(std::uint8_t compression, const std::string& what) {
 
 void read_attribute(std::string_view name, std::string_view type, Bytes value, const std::string& what,
                     const Limits& limits, Claims& claims) {
+  check_attribute_size(type, value.size(), what);
   if (type == "box2i" && (name == "dataWindow" || name == "displayWindow")) {
     const Size size = window_size(AttributeReader::bytes_as<std::array<std::int32_t, 4>>(value), what, limits);
     if (name == "displayWindow") return;
