@@ -99,7 +99,6 @@ Geometry::SceneOwner Geometry::new_scene() const {
   SceneOwner scene(rtcNewScene(device_.get()));
   rtcSetSceneFlags(scene.get(),
                    static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
-  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_MEDIUM);
   return scene;
 }
 

@@ -13,7 +13,7 @@ using shading::GpuLight, shading::kPi, shading::vec3;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // How far before a glowing triangle its shadow rays end, in units of what rounding may have moved it.
-constexpr float kClearance = 4.0f;
+constexpr float kEmitterClearance = 4.0f;
 
 // Each kind of light that there is gets at least this chance: the estimates behind the rest may be far off.
 constexpr float kLeastChance = 0.1f;
@@ -146,7 +146,8 @@ std::optional<LightSample> Lights::sample_emitter(const Receiver& receiver, cons
   const float cosine = std::abs(glm::dot(wi, at->point.geometric_normal_ws));
   if (!(cosine > 0.0f)) return std::nullopt;
   const float pdf_sr = chances.emitters * at->pdf_m2 * squared / cosine;
-  return LightSample{wi, at->radiance / pdf_sr, distance - kClearance * at->point.rounding_m / cosine, pdf_sr, true};
+  return LightSample{wi, at->radiance / pdf_sr, distance - kEmitterClearance * at->point.rounding_m / cosine, pdf_sr,
+                     true};
 }
 
 float Lights::pdf_sr_environment(const LightChances& chances, const vec3& wi) const {

@@ -4,21 +4,31 @@
 #include <cmath>
 
 namespace velarium::reference {
-namespace {
 
-// log2 of the footprint in texels of the largest mip. The width across the ray is the footprint's shorter side where
-// it falls slantwise: what is sharper than the longer one is averaged by the paths of the pixel.
-float lod_of(const BoundTexture& texture, const SurfacePoint& p, float width_m) {
-  const float texels_per_m2 = texture.texels_per_uv_area() * p.uv_area(texture.uv_set) / std::max(p.area_m2, 1e-30f);
-  return 0.5f * std::log2(std::max(texels_per_m2 * width_m * width_m, 1e-30f));
-}
+// Textures at one point. Most materials read all of theirs by one set of coordinates: the last one is kept.
+class Materials::Reader {
+ public:
+  Reader(const SurfacePoint& p, const Footprint& footprint) : point(p), footprint_(footprint) {}
 
-glm::vec4 sample(const BoundTexture& texture, const SurfacePoint& p, const Footprint& footprint) {
-  if (!texture) return glm::vec4(1.0f);
-  return texture.sample(p.uv(texture.uv_set), lod_of(texture, p, footprint.width_m), footprint.choice);
-}
+  [[nodiscard]] glm::vec4 read(const Slot& slot) {
+    const BoundTexture& texture = slot.texture;
+    if (!texture) return glm::vec4(1.0f);
+    if (texture.uv_set != set_) {
+      set_ = texture.uv_set;
+      uv_ = point.uv(set_);
+      log2_uv_ = point.log2_uv(set_, footprint_.width_m);
+    }
+    return texture.sample(uv_, slot.log2_texels + log2_uv_, footprint_.choice);
+  }
 
-}  // namespace
+  const SurfacePoint& point;
+
+ private:
+  const Footprint& footprint_;
+  std::uint32_t set_ = scene::kMaxUvSets;  // none yet
+  glm::vec2 uv_{0.0f};
+  float log2_uv_ = 0.0f;
+};
 
 Materials::Materials(const scene::Scene& scene) : textures_(scene) {
   for (const scene::Material& material : scene.materials) table_.push_back(bound(material, textures_));
@@ -26,13 +36,17 @@ Materials::Materials(const scene::Scene& scene) : textures_(scene) {
 }
 
 Materials::Material Materials::bound(const scene::Material& source, const Textures& textures) {
+  const auto slot = [&](const scene::TextureRef& ref, bool srgb) {
+    const BoundTexture texture = textures.bind(ref, srgb);
+    return Slot{texture, texture ? texture.log2_texels_per_uv() : 0.0f};
+  };
   return {.source = &source,
-          .base_color = textures.bind(source.base_color_texture, true),
-          .metallic_roughness = textures.bind(source.metallic_roughness_texture, false),
-          .normal = textures.bind(source.normal_texture, false),
-          .emissive = textures.bind(source.emissive_texture, true),
-          .specular = textures.bind(source.specular_texture, false),
-          .specular_color = textures.bind(source.specular_color_texture, true)};
+          .base_color = slot(source.base_color_texture, true),
+          .metallic_roughness = slot(source.metallic_roughness_texture, false),
+          .normal = slot(source.normal_texture, false),
+          .emissive = slot(source.emissive_texture, true),
+          .specular = slot(source.specular_texture, false),
+          .specular_color = slot(source.specular_color_texture, true)};
 }
 
 bool Materials::may_be_transparent(std::uint32_t material) const {
@@ -47,56 +61,62 @@ bool Materials::may_emit(std::uint32_t material) const {
 float Materials::opacity(const SurfacePoint& p, const Footprint& footprint) const {
   const Material& m = of(p);
   if (m.source->alpha_mode == scene::AlphaMode::opaque) return 1.0f;
-  const float alpha = base_color(m, p, footprint).w;
+  Reader reader(p, footprint);
+  const float alpha = base_color(m, reader).w;
   if (m.source->alpha_mode == scene::AlphaMode::mask) return alpha < m.source->alpha_cutoff ? 0.0f : 1.0f;
   return std::clamp(alpha, 0.0f, 1.0f);
 }
 
 glm::vec3 Materials::emission(const SurfacePoint& p, const Footprint& footprint) const {
-  const Material& m = of(p);
-  if (m.source->unlit) return base_color(m, p, footprint);
-  if (m.source->emissive == glm::vec3(0.0f)) return glm::vec3(0.0f);
-  return m.source->emissive * glm::vec3(sample(m.emissive, p, footprint));
+  Reader reader(p, footprint);
+  return emission(of(p), reader);
 }
 
 Look Materials::look(const SurfacePoint& p, bool front, const Footprint& footprint) const {
   const Material& m = of(p);
   const scene::Material& source = *m.source;
+  Reader reader(p, footprint);
   // The G-buffer's range: vertex colours may exceed it.
-  const glm::vec3 color = glm::clamp(glm::vec3(base_color(m, p, footprint)), 0.0f, 1.0f);
+  const glm::vec3 color = glm::clamp(glm::vec3(base_color(m, reader)), 0.0f, 1.0f);
   Look look;
   look.unlit = source.unlit;
-  if (front || source.double_sided) look.emission = emission(p, footprint);
-  const glm::vec4 metal_rough = sample(m.metallic_roughness, p, footprint);
-  const float specular = source.specular * sample(m.specular, p, footprint).w;
-  const glm::vec3 tint = source.specular_color * glm::vec3(sample(m.specular_color, p, footprint));
+  if (front || source.double_sided) look.emission = emission(m, reader);
+  const glm::vec4 metal_rough = reader.read(m.metallic_roughness);
+  const float specular = source.specular * reader.read(m.specular).w;
+  const glm::vec3 tint = source.specular_color * glm::vec3(reader.read(m.specular_color));
   look.surface = shading::surface_from_metal_rough(
       color, source.metallic * metal_rough.z, source.perceptual_roughness * metal_rough.y,
-      shading::dielectric_f0_from_ior(source.ior), tint * specular, shading_normal(m, p, front, footprint), 1.0f);
+      shading::dielectric_f0_from_ior(source.ior), tint * specular, shading_normal(m, front, reader), 1.0f);
   return look;
 }
 
-glm::vec4 Materials::base_color(const Material& m, const SurfacePoint& p, const Footprint& footprint) {
-  return m.source->base_color * p.color() * sample(m.base_color, p, footprint);
+glm::vec4 Materials::base_color(const Material& m, Reader& reader) {
+  return m.source->base_color * reader.point.color() * reader.read(m.base_color);
 }
 
-glm::vec3 Materials::shading_normal(const Material& m, const SurfacePoint& p, bool front, const Footprint& footprint) {
+glm::vec3 Materials::emission(const Material& m, Reader& reader) {
+  if (m.source->unlit) return base_color(m, reader);
+  if (m.source->emissive == glm::vec3(0.0f)) return glm::vec3(0.0f);
+  return m.source->emissive * glm::vec3(reader.read(m.emissive));
+}
+
+glm::vec3 Materials::shading_normal(const Material& m, bool front, Reader& reader) {
   const float side = front ? 1.0f : -1.0f;
-  const glm::vec3 interpolated = p.normal_ws();
+  const glm::vec3 interpolated = reader.point.normal_ws(), flat = side * reader.point.geometric_normal_ws;
   // Normals that cancel, or that the file left null, give the flat one.
   const float squared = glm::dot(interpolated, interpolated);
-  if (!(squared > 1e-20f)) return side * p.geometric_normal_ws;
-  const glm::vec4 tangent = m.normal ? p.tangent_ws() : glm::vec4(0.0f);
+  if (!(squared > 1e-20f)) return flat;
+  const glm::vec4 tangent = m.normal.texture ? reader.point.tangent_ws() : glm::vec4(0.0f);
   const glm::vec3 along_u(tangent);
   if (along_u == glm::vec3(0.0f)) return (side / std::sqrt(squared)) * interpolated;
-  glm::vec3 mapped = glm::vec3(sample(m.normal, p, footprint)) * 2.0f - 1.0f;
+  glm::vec3 mapped = glm::vec3(reader.read(m.normal)) * 2.0f - 1.0f;
   mapped.x *= m.source->normal_scale;
   mapped.y *= m.source->normal_scale;
   // As MikkTSpace asks: interpolated vectors are used as they are, and the sum alone is normalised.
   const glm::vec3 along_v = tangent.w * glm::cross(interpolated, along_u);
   const glm::vec3 sum = mapped.x * along_u + mapped.y * along_v + mapped.z * interpolated;
   const float length = glm::length(sum);
-  return length > 0.0f ? (side / length) * sum : side * p.geometric_normal_ws;
+  return length > 0.0f ? (side / length) * sum : flat;
 }
 
 }  // namespace velarium::reference

@@ -44,14 +44,20 @@ class Materials {
   [[nodiscard]] Look look(const SurfacePoint& p, bool front, const Footprint& footprint) const;
 
  private:
+  class Reader;
+  // A texture, with what of its mip does not depend on the point.
+  struct Slot {
+    BoundTexture texture;
+    float log2_texels = 0.0f;
+  };
   struct Material {
     const scene::Material* source;
-    BoundTexture base_color, metallic_roughness, normal, emissive, specular, specular_color;
+    Slot base_color, metallic_roughness, normal, emissive, specular, specular_color;
   };
   [[nodiscard]] static Material bound(const scene::Material& source, const Textures& textures);
-  [[nodiscard]] static glm::vec4 base_color(const Material& m, const SurfacePoint& p, const Footprint& footprint);
-  [[nodiscard]] static glm::vec3 shading_normal(const Material& m, const SurfacePoint& p, bool front,
-                                                const Footprint& footprint);
+  [[nodiscard]] static glm::vec4 base_color(const Material& m, Reader& reader);
+  [[nodiscard]] static glm::vec3 emission(const Material& m, Reader& reader);
+  [[nodiscard]] static glm::vec3 shading_normal(const Material& m, bool front, Reader& reader);
   [[nodiscard]] const Material& of(const SurfacePoint& p) const { return table_[p.object->material]; }
 
   Textures textures_;

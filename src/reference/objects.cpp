@@ -14,6 +14,16 @@ namespace {
 // by 2^-24 of the largest: 2^-20 of it covers them.
 constexpr float kRounding = 0x1p-20f;
 
+float inverse_scale_of(const glm::mat3& turn) {
+  constexpr float kEven = 1e-5f;  // of the squared scale: what rounding leaves of an even transform
+  const glm::mat3 squares = glm::transpose(turn) * turn;
+  const float scale2 = squares[0][0];
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r)
+      if (!(std::abs(squares[c][r] - (c == r ? scale2 : 0.0f)) <= kEven * scale2)) return 0.0f;
+  return scale2 > 0.0f ? 1.0f / std::sqrt(scale2) : 0.0f;
+}
+
 Object placed(const scene::Scene& scene, const scene::Moment& moment, const scene::Instance& instance,
               const glm::dvec3& eye) {
   const glm::mat4& m = instance.world_from_object;
@@ -28,6 +38,7 @@ Object placed(const scene::Scene& scene, const scene::Moment& moment, const scen
   object.cofactors = glm::transpose(
       glm::mat3(glm::cross(rows[1], rows[2]), glm::cross(rows[2], rows[0]), glm::cross(rows[0], rows[1])));
   object.handedness = glm::determinant(object.turn) < 0.0f ? -1.0f : 1.0f;
+  object.inverse_scale = inverse_scale_of(object.turn);
   object.material = primitive.material == scene::kNone ? static_cast<std::uint32_t>(scene.materials.size())
                                                        : static_cast<std::uint32_t>(primitive.material);
   return object;
@@ -90,18 +101,27 @@ SurfacePoint surface_point(const Object& object, std::uint32_t triangle, float u
   return p;
 }
 
+// Vertices' vectors are turned and normalised one by one, as the vertex shader does it. Even transforms keep unit
+// vectors as long as each other, so that those can be added first.
 glm::vec3 SurfacePoint::normal_ws() const {
+  const auto& normals = object->vertices->normals;
+  const float s = object->inverse_scale;
+  if (s > 0.0f) return object->handedness * s * s * (object->cofactors * weighted(*this, normals));
   glm::vec3 sum(0.0f);
-  for (std::size_t i = 0; i < 3; ++i)
-    sum += weights[i] * unit_or_null(object->cofactors * object->vertices->normals[corners[i]]);
+  for (std::size_t i = 0; i < 3; ++i) sum += weights[i] * unit_or_null(object->cofactors * normals[corners[i]]);
   return object->handedness * sum;
 }
 
 glm::vec4 SurfacePoint::tangent_ws() const {
-  if (object->vertices->tangents.empty()) return glm::vec4(0.0f);
+  const auto& tangents = object->vertices->tangents;
+  if (tangents.empty()) return glm::vec4(0.0f);
+  if (object->inverse_scale > 0.0f) {
+    const glm::vec4 sum = weighted(*this, tangents);
+    return {object->inverse_scale * (object->turn * glm::vec3(sum)), sum.w * object->handedness};
+  }
   glm::vec4 sum(0.0f);
   for (std::size_t i = 0; i < 3; ++i) {
-    const glm::vec4& tangent = object->vertices->tangents[corners[i]];
+    const glm::vec4& tangent = tangents[corners[i]];
     sum += weights[i] * glm::vec4(unit_or_null(object->turn * glm::vec3(tangent)), tangent.w * object->handedness);
   }
   return sum;
@@ -116,11 +136,13 @@ glm::vec2 SurfacePoint::uv(std::uint32_t set) const {
   return uvs.empty() ? glm::vec2(0.0f) : weighted(*this, uvs);
 }
 
-float SurfacePoint::uv_area(std::uint32_t set) const {
+float SurfacePoint::log2_uv(std::uint32_t set, float width_m) const {
+  constexpr float kLeast = 1e-30f;  // triangles without area on either side read the largest mip
   const auto& uvs = object->primitive->uv[set];
   if (uvs.empty()) return 0.0f;
   const glm::vec2 e1 = uvs[corners[1]] - uvs[corners[0]], e2 = uvs[corners[2]] - uvs[corners[0]];
-  return 0.5f * std::abs(e1.x * e2.y - e1.y * e2.x);
+  const float area = 0.5f * std::abs(e1.x * e2.y - e1.y * e2.x);
+  return 0.5f * std::log2(std::max(area * width_m * width_m / std::max(area_m2, kLeast), kLeast));
 }
 
 }  // namespace velarium::reference

@@ -31,6 +31,7 @@ struct Object {
   glm::vec3 place{0.0f};
   glm::mat3 cofactors{1.0f};   // takes normals
   float handedness = 1.0f;     // -1: mirrored, front faces are clockwise
+  float inverse_scale = 0.0f;  // of a transform that only turns, moves and scales evenly; 0 for others
   std::uint32_t material = 0;  // index into Scene::materials; their number: the default material
   std::uint32_t mesh = 0;      // the same for objects that share their vertices
 
@@ -60,7 +61,10 @@ struct SurfacePoint {
   [[nodiscard]] glm::vec4 tangent_ws() const;  // xyz null where there is none; w: sign of the bitangent
   [[nodiscard]] glm::vec4 color() const;
   [[nodiscard]] glm::vec2 uv(std::uint32_t set) const;
-  [[nodiscard]] float uv_area(std::uint32_t set) const;  // of the triangle, in the unit square of the texture
+  // log2 of how far a width on the surface reaches in texture coordinates: the root of both axes. The width across the
+  // ray is the shorter side of its footprint where it falls slantwise: what is sharper than the longer one is averaged
+  // by the paths of the pixel.
+  [[nodiscard]] float log2_uv(std::uint32_t set, float width_m) const;
 };
 
 [[nodiscard]] SurfacePoint surface_point(const Object& object, std::uint32_t triangle, float u, float v);

@@ -19,7 +19,7 @@ constexpr float kMostSurvive = 0.95f;
 constexpr float kConeShare = 0.1f;
 
 // How far from a surface its rays start, in units of what rounding may have moved it.
-constexpr float kClearance = 2.0f;
+constexpr float kRayClearance = 2.0f;
 
 // Weight of one of two ways to find the same light [Veach 1997, power heuristic].
 float balance(float pdf, float other_pdf) {
@@ -88,7 +88,7 @@ struct PathTracer::Vertex {
   vec3 specular_scale{1.0f};
   float cone_width_m = 0.0f;
 
-  [[nodiscard]] vec3 start() const { return point.position_ws + kClearance * point.rounding_m * outside; }
+  [[nodiscard]] vec3 start() const { return point.position_ws + kRayClearance * point.rounding_m * outside; }
 };
 
 PathSample PathTracer::trace(uvec2 pixel, std::uint32_t sample) const {

@@ -11,6 +11,9 @@
 namespace velarium::reference {
 namespace {
 
+// For transforms that collapse the picture.
+constexpr float kLeastTexels = 1e-30f;
+
 using Codes = std::array<float, 256>;
 
 Codes make_codes(bool srgb) {
@@ -27,14 +30,31 @@ const Codes& codes_of(bool srgb) {
   return srgb ? kSrgb : kData;
 }
 
-// The code whose decoded value is nearest.
-std::uint8_t nearest_code(float value, const Codes& codes) {
-  const auto above = std::lower_bound(codes.begin(), codes.end(), value);
-  if (above == codes.begin()) return 0;
-  if (above == codes.end()) return 255;
-  const auto below = above - 1;
-  return static_cast<std::uint8_t>((value - *below < *above - value ? below : above) - codes.begin());
-}
+// Finds codes of values. Steps of 1 / 4096 are shorter than those between codes, which are 1 / 3295 at least, so the
+// code of a step is right or one too low.
+class Encoder {
+ public:
+  explicit Encoder(const Codes& codes) {
+    for (std::size_t i = 0; i + 1 < codes.size(); ++i) limits_[i] = 0.5f * (codes[i] + codes[i + 1]);
+    limits_.back() = std::numeric_limits<float>::infinity();
+    for (std::size_t step = 0; step < steps_.size(); ++step) {
+      const float value = static_cast<float>(step) / kSteps;
+      steps_[step] =
+          static_cast<std::uint8_t>(std::upper_bound(limits_.begin(), limits_.end(), value) - limits_.begin());
+    }
+  }
+
+  // The code whose decoded value is nearest. value: in [0, 1].
+  [[nodiscard]] std::uint8_t operator()(float value) const {
+    const std::uint8_t code = steps_[static_cast<std::size_t>(value * kSteps)];
+    return static_cast<std::uint8_t>(value >= limits_[code] ? code + 1 : code);
+  }
+
+ private:
+  static constexpr float kSteps = 4096.0f;
+  std::array<float, 256> limits_;  // where the next code is nearer
+  std::array<std::uint8_t, 4097> steps_;
+};
 
 // The two texels that a texel of the next mip lies between, as a linear filter reads them in a blit by halves.
 struct Halving {
@@ -49,7 +69,8 @@ Halving halve(std::uint32_t i, std::uint32_t from, std::uint32_t to) {
 }
 
 std::vector<std::uint8_t> smaller_mip(const MipChain& chain, const MipChain::Level& from, std::uint32_t width,
-                                      std::uint32_t height, const Codes& color) {
+                                      std::uint32_t height, const Encoder& color) {
+  static const Encoder kAlpha(codes_of(false));
   std::vector<std::uint8_t> rgba(4 * std::size_t{width} * height);
   std::uint8_t* to = rgba.data();
   for (std::uint32_t y = 0; y < height; ++y) {
@@ -60,48 +81,51 @@ std::vector<std::uint8_t> smaller_mip(const MipChain& chain, const MipChain::Lev
         return glm::mix(chain.texel(from, column.first, line), chain.texel(from, column.second, line), column.weight);
       };
       const glm::vec4 value = glm::mix(along(row.first), along(row.second), row.weight);
-      for (int c = 0; c < 3; ++c) to[c] = nearest_code(value[c], color);
-      to[3] = nearest_code(value.w, codes_of(false));
+      for (int c = 0; c < 3; ++c) to[c] = color(value[c]);
+      to[3] = kAlpha(value.w);
     }
   }
   return rgba;
 }
 
-std::uint32_t wrapped(std::int64_t i, std::uint32_t size, scene::Wrap wrap) {
-  const auto n = static_cast<std::int64_t>(size);
-  if (wrap == scene::Wrap::clamp_to_edge) return static_cast<std::uint32_t>(std::clamp<std::int64_t>(i, 0, n - 1));
-  const std::int64_t period = wrap == scene::Wrap::repeat ? n : 2 * n;
-  std::int64_t place = i % period;
-  if (place < 0) place += period;
-  return static_cast<std::uint32_t>(place < n ? place : 2 * n - 1 - place);
-}
-
-// Where a coordinate lies among texels. Far outside the unit square nothing but the place within it counts.
-float texel_coordinate(float u, std::uint32_t size, scene::Wrap wrap) {
+// A coordinate in texels, brought into one period of the wrap mode, of which there is at most one texel more on each
+// side. Far outside the unit square nothing but the place within the period counts.
+float texel_coordinate(float u, std::int32_t size, scene::Wrap wrap) {
   constexpr float kFarthest = 1e6f;  // beyond, and for what is not a number, floats hold no place within a period
   if (!(std::abs(u) < kFarthest)) return 0.0f;
-  const float period = wrap == scene::Wrap::mirrored_repeat ? 2.0f : 1.0f;
-  const float inside =
-      wrap == scene::Wrap::clamp_to_edge ? std::clamp(u, -1.0f, 2.0f) : u - period * std::floor(u / period);
-  return inside * static_cast<float>(size);
+  const auto texels = static_cast<float>(size);
+  if (wrap == scene::Wrap::repeat) return (u - std::floor(u)) * texels;
+  if (wrap == scene::Wrap::clamp_to_edge) return std::clamp(u, 0.0f, 1.0f) * texels;
+  return (u - 2.0f * std::floor(0.5f * u)) * texels;
+}
+
+// The texel that stands for number i, at most one outside of a period.
+std::uint32_t wrapped(std::int32_t i, std::int32_t size, scene::Wrap wrap) {
+  if (wrap == scene::Wrap::clamp_to_edge) return static_cast<std::uint32_t>(std::clamp(i, 0, size - 1));
+  const std::int32_t period = wrap == scene::Wrap::repeat ? size : 2 * size;
+  if (i < 0) i += period;
+  if (i >= period) i -= period;
+  return static_cast<std::uint32_t>(i < size ? i : 2 * size - 1 - i);
 }
 
 glm::vec4 read_nearest(const MipChain& mips, const MipChain::Level& level, const scene::Sampler& s, glm::vec2 uv) {
-  const float x = std::floor(texel_coordinate(uv.x, level.width, s.wrap_u));
-  const float y = std::floor(texel_coordinate(uv.y, level.height, s.wrap_v));
-  return mips.texel(level, wrapped(static_cast<std::int64_t>(x), level.width, s.wrap_u),
-                    wrapped(static_cast<std::int64_t>(y), level.height, s.wrap_v));
+  const auto width = static_cast<std::int32_t>(level.width), height = static_cast<std::int32_t>(level.height);
+  const auto x = static_cast<std::int32_t>(texel_coordinate(uv.x, width, s.wrap_u));
+  const auto y = static_cast<std::int32_t>(texel_coordinate(uv.y, height, s.wrap_v));
+  return mips.texel(level, wrapped(x, width, s.wrap_u), wrapped(y, height, s.wrap_v));
 }
 
 glm::vec4 read_linear(const MipChain& mips, const MipChain::Level& level, const scene::Sampler& s, glm::vec2 uv) {
-  const float x = texel_coordinate(uv.x, level.width, s.wrap_u) - 0.5f;
-  const float y = texel_coordinate(uv.y, level.height, s.wrap_v) - 0.5f;
-  const float left = std::floor(x), above = std::floor(y);
-  const auto column = static_cast<std::int64_t>(left), row = static_cast<std::int64_t>(above);
-  const std::uint32_t x0 = wrapped(column, level.width, s.wrap_u), x1 = wrapped(column + 1, level.width, s.wrap_u);
-  const std::uint32_t y0 = wrapped(row, level.height, s.wrap_v), y1 = wrapped(row + 1, level.height, s.wrap_v);
-  return glm::mix(glm::mix(mips.texel(level, x0, y0), mips.texel(level, x1, y0), x - left),
-                  glm::mix(mips.texel(level, x0, y1), mips.texel(level, x1, y1), x - left), y - above);
+  const auto width = static_cast<std::int32_t>(level.width), height = static_cast<std::int32_t>(level.height);
+  // Never negative, so that casts round down; by one too high.
+  const float x = texel_coordinate(uv.x, width, s.wrap_u) + 0.5f;
+  const float y = texel_coordinate(uv.y, height, s.wrap_v) + 0.5f;
+  const auto column = static_cast<std::int32_t>(x), row = static_cast<std::int32_t>(y);
+  const std::uint32_t x0 = wrapped(column - 1, width, s.wrap_u), x1 = wrapped(column, width, s.wrap_u);
+  const std::uint32_t y0 = wrapped(row - 1, height, s.wrap_v), y1 = wrapped(row, height, s.wrap_v);
+  const float fx = x - static_cast<float>(column), fy = y - static_cast<float>(row);
+  return glm::mix(glm::mix(mips.texel(level, x0, y0), mips.texel(level, x1, y0), fx),
+                  glm::mix(mips.texel(level, x0, y1), mips.texel(level, x1, y1), fx), fy);
 }
 
 std::size_t chosen_level(const scene::Sampler& sampler, std::size_t count, float lod, float choice) {
@@ -114,10 +138,11 @@ std::size_t chosen_level(const scene::Sampler& sampler, std::size_t count, float
 
 MipChain::MipChain(const scene::Image& image, bool srgb) : decoded_(codes_of(srgb)) {
   levels_.push_back({image.width, image.height, image.rgba.data()});
+  const Encoder encoder(decoded_);
   while (levels_.back().width > 1 || levels_.back().height > 1) {
     const Level from = levels_.back();
     const std::uint32_t width = std::max(from.width / 2, 1u), height = std::max(from.height / 2, 1u);
-    smaller_.push_back(smaller_mip(*this, from, width, height, decoded_));
+    smaller_.push_back(smaller_mip(*this, from, width, height, encoder));
     levels_.push_back({width, height, smaller_.back().data()});
   }
 }
@@ -127,9 +152,10 @@ glm::vec4 MipChain::texel(const Level& level, std::uint32_t x, std::uint32_t y) 
   return {decoded_[code[0]], decoded_[code[1]], decoded_[code[2]], static_cast<float>(code[3]) * (1.0f / 255.0f)};
 }
 
-float BoundTexture::texels_per_uv_area() const {
+float BoundTexture::log2_texels_per_uv() const {
   const MipChain::Level& full = mips->level(0);
-  return std::abs(rows.x * rows.w - rows.y * rows.z) * static_cast<float>(full.width) * static_cast<float>(full.height);
+  const float texels = static_cast<float>(full.width) * static_cast<float>(full.height);
+  return 0.5f * std::log2(std::max(std::abs(rows.x * rows.w - rows.y * rows.z) * texels, kLeastTexels));
 }
 
 glm::vec4 BoundTexture::sample(const glm::vec2& uv, float lod, float choice) const {

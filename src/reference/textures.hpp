@@ -45,8 +45,9 @@ struct BoundTexture {
   std::uint32_t uv_set = 0;
 
   [[nodiscard]] explicit operator bool() const { return mips != nullptr; }
-  // Texels of the largest mip in one unit of area of the vertices' texture coordinates.
-  [[nodiscard]] float texels_per_uv_area() const;
+  // log2 of the texels of the largest mip along one unit of the vertices' texture coordinates: the root of the two
+  // axes.
+  [[nodiscard]] float log2_texels_per_uv() const;
   // uv: as the vertices have it. lod: 0 is the largest mip. choice: in [0, 1); where the sampler mixes two mips, one of
   // them is read, as often as its share says: the mean over all choices is the sampler's answer.
   [[nodiscard]] glm::vec4 sample(const glm::vec2& uv, float lod, float choice) const;

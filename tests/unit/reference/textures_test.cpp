@@ -106,7 +106,7 @@ TEST(Textures, TransformsMoveTheCoordinates) {
   // (u, v) -> scaled (u / 2, 2 v) -> turned (2 v, -u / 2) -> moved.
   const glm::vec2 uv(0.5f, 0.0625f), expected(2.0f * 0.0625f + 0.25f, -0.25f + 0.5f);
   EXPECT_NEAR(bound.sample(uv, -1.0f, 0.0f).x, read({}, expected), 1e-5f);
-  EXPECT_NEAR(bound.texels_per_uv_area(), 8.0f, 1e-5f);  // 4 x 2 texels, times the determinant 1
+  EXPECT_NEAR(bound.log2_texels_per_uv(), 1.5f, 1e-5f);  // half of log2 of 4 x 2 texels times the determinant 1
 }
 
 TEST(Textures, CoordinatesThatAreNoNumbersReadSomething) {
