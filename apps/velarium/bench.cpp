@@ -231,6 +231,8 @@ void Bench::run() {
   if (compare_.empty()) return;
   const std::vector<Change> all = changes(before_, figures_);
   if (all.empty()) throw Error(ErrorCode::usage, compare_, "holds no scene at a size that was measured now");
+  if (before_.front().device != figures_.front().device)
+    say_warning("the earlier figures are of another device: " + before_.front().device);
   if (json_ != "-" && csv_ != "-") print(table_of(all));
   if (fail_above_) check_changes(all, *fail_above_);
 }

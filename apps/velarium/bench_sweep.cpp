@@ -83,7 +83,8 @@ std::vector<Growth> growth_of(const std::vector<SweepPoint>& points, const std::
         if (interval.name == first.name) growth.ms.push_back(interval.ms);
       }
     }
-    if (growth.ms.size() != points.size()) continue;
+    const bool idle = std::all_of(growth.ms.begin(), growth.ms.end(), [](double ms) { return ms == 0.0; });
+    if (growth.ms.size() != points.size() || idle) continue;
     if (growth.ms.front() > 0.0) growth.ratio = growth.ms.back() / growth.ms.front();
     if (const auto fit = fit_power(x, growth.ms)) {
       growth.exponent = fit->exponent;

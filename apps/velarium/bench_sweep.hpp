@@ -36,7 +36,7 @@ struct Growth {
   std::optional<double> exponent, standard_error;
 };
 
-// Intervals that every point has.
+// Intervals that every point has and that take time: some passes run in a picture's first or last frame alone.
 [[nodiscard]] std::vector<Growth> growth_of(const std::vector<SweepPoint>& points, const std::vector<Figures>& figures);
 [[nodiscard]] std::string table_of(const SweepKind& kind, const std::vector<SweepPoint>& points,
                                    const std::vector<Growth>& growth);

@@ -101,8 +101,9 @@ TEST(Sweep, ResolutionKeepsTheShapeAndFitsPixels) {
 TEST(Sweep, GrowthIsOfIntervalsThatEveryPointHas) {
   const auto points = points_of(find_sweep("lights"), {1, 10, 100}, "", 64, 36);
   EXPECT_EQ(points[2].scene, "builtin:atrium?lights=100");
-  const std::vector all{figures("", {{"a", 2, 0}, {"b", 1, 0}}), figures("", {{"a", 20, 0}}),
-                        figures("", {{"b", 1, 0}, {"a", 200, 0}})};
+  const std::vector all{figures("", {{"a", 2, 0}, {"b", 1, 0}, {"idle", 0, 0}}),
+                        figures("", {{"a", 20, 0}, {"idle", 0, 0}}),
+                        figures("", {{"b", 1, 0}, {"a", 200, 0}, {"idle", 0, 0}})};
   const auto growth = growth_of(points, all);
   ASSERT_EQ(growth.size(), 1u);
   EXPECT_EQ(growth[0].name, "a");
