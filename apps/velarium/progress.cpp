@@ -50,7 +50,8 @@ void Progress::update(double share) {
 }
 
 void Progress::say(const std::string& what, const std::string& json, double share) {
-  if (style_ == ProgressStyle::none || !due(share >= 1.0)) return;
+  // Before anything is done nobody knows how long the rest takes.
+  if (style_ == ProgressStyle::none || !(share > 0.0) || !due(share >= 1.0)) return;
   const double left = seconds_left(share);
   if (style_ == ProgressStyle::json) {
     fmt::print(stderr, "{{{},\"seconds_left\":{:.1f}}}\n", json, left);
@@ -68,7 +69,7 @@ void Progress::say(const std::string& what, const std::string& json, double shar
 
 double Progress::seconds_left(double share) const {
   const std::chrono::duration<double> passed = Clock::now() - start_;
-  return share > 0.0 ? passed.count() / share * (1.0 - share) : 0.0;
+  return passed.count() / share * (1.0 - share);
 }
 
 // Every frame where a program or a terminal reads; in a log, one line in two seconds and the last one.

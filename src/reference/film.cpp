@@ -13,6 +13,10 @@ void move_mean(T& mean, const T& value, float share) {
   mean += (value - mean) * share;
 }
 
+std::array<float, 3> three(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
 bool finite(const glm::vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -78,14 +82,6 @@ std::vector<float> Film::channels(Function of) const {
   }
   return values;
 }
-
-namespace {
-
-std::array<float, 3> three(const glm::vec3& v) {
-  return {v.x, v.y, v.z};
-}
-
-}  // namespace
 
 std::vector<float> Film::beauty() const {
   return channels<4>([](const Pixel& p) {

@@ -53,10 +53,10 @@ struct PathTracer::Path {
   Path(uvec2 pixel, std::uint32_t sample, std::uint32_t seed)
       : sequence(pixel, sample, seed), chance(hash_of(pixel, sample, ~seed)) {}
 
-  // Light that the throughput brings to the eye.
-  void add(const vec3& light, float clamp) {
+  // Light that the throughput brings to the eye, after so many reflections.
+  void add(const vec3& light, std::uint32_t reflected, float clamp) {
     vec3 brought = throughput * light;
-    if (reflections < 2) {
+    if (reflected < 2) {
       found.direct += brought;
       return;
     }
@@ -153,25 +153,26 @@ void PathTracer::add_background(Path& path) const {
 void PathTracer::add_environment(Path& path) const {
   if (!(path.chances.environment > 0.0f)) return;
   const float other = world_.lights.pdf_sr_environment(path.chances, path.ray.direction);
-  path.add(balance(path.pdf_sr, other) * world_.lights.environment(path.ray.direction), transport_.clamp);
+  path.add(balance(path.pdf_sr, other) * world_.lights.environment(path.ray.direction), path.reflections,
+           transport_.clamp);
 }
 
 void PathTracer::add_spheres(Path& path, float distance) const {
   if (path.reflections == 0 || !world_.lights.has_spheres()) return;
-  world_.lights.for_each_sphere(path.receiver, path.chances, path.ray.direction, distance,
-                                [&](const Lights::SphereHit& hit) {
-                                  path.add(balance(path.pdf_sr, hit.pdf_sr) * hit.radiance, transport_.clamp);
-                                });
+  world_.lights.for_each_sphere(
+      path.receiver, path.chances, path.ray.direction, distance, [&](const Lights::SphereHit& hit) {
+        path.add(balance(path.pdf_sr, hit.pdf_sr) * hit.radiance, path.reflections, transport_.clamp);
+      });
 }
 
 void PathTracer::add_emission(Path& path, const Hit& hit, const Vertex& vertex) const {
   const vec3& emission = vertex.look.emission;
   if (emission == vec3(0.0f)) return;
-  if (path.reflections == 0) return path.add(emission, transport_.clamp);
+  if (path.reflections == 0) return path.add(emission, 0, transport_.clamp);
   // Without shadows the ray may have missed what hides behind others: aiming alone finds it all.
   if (!transport_.shadows) return;
   const float other = world_.lights.pdf_sr_emitter(path.chances, hit, vertex.point, path.ray.direction);
-  path.add(balance(path.pdf_sr, other) * emission, transport_.clamp);
+  path.add(balance(path.pdf_sr, other) * emission, path.reflections, transport_.clamp);
 }
 
 void PathTracer::add_light(Path& path, const Vertex& vertex, const Draws& draws) const {
@@ -186,9 +187,7 @@ void PathTracer::add_light(Path& path, const Vertex& vertex, const Draws& draws)
   if (!delta && (transport_.shadows || !light->emitter))
     reflected *= balance(light->pdf_sr,
                          pdf_sr_brdf(s, vertex.alpha, vertex.wo, light->wi, vertex.specular_scale, transport_.model));
-  ++path.reflections;
-  path.add(reflected, transport_.clamp);
-  --path.reflections;
+  path.add(reflected, path.reflections + 1, transport_.clamp);
 }
 
 bool PathTracer::unblocked(const Path& path, const Vertex& vertex, const LightSample& light) const {
