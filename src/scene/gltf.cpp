@@ -53,7 +53,7 @@ Scene read_gltf(const std::filesystem::path& file, const GltfOptions& options) {
   Scene scene;
   scene.source = file.string();
   const gltf::Container container = gltf::open_container(file, options.limits);
-  gltf::Document document(file, container.json, static_cast<std::uint32_t>(options.limits.depth));
+  gltf::Document document(file, container.json, options.limits);
   gltf::Context context{document.root(), options, scene};
 
   gltf::read_asset(context);

@@ -27,9 +27,8 @@ void Buffers::read_buffer(const Value& buffer, std::uint32_t index, const Contai
   const std::uint64_t length = buffer.require("byteLength").integer(1, kAnyLength);
   std::span<const std::byte> bytes;
   if (const Value uri = buffer["uri"]) {
-    owned_.push_back(load_uri(uri, options, bytes_));
+    owned_.push_back(read_uri(find_uri(uri, options, bytes_)));
     bytes = owned_.back();
-    bytes_.spend(bytes.size());
   } else if (index == 0 && container.binary && !is_meshopt_fallback(buffer)) {
     bytes = *container.binary;
   } else {

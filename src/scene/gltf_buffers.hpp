@@ -47,7 +47,7 @@ class Buffers {
   };
   std::vector<Buffer> buffers_;
   std::vector<BufferView> views_;
-  Budget bytes_;  // of owned_
+  Budget bytes_;  // of what owned_ was read from, or decompressed to
 };
 
 }  // namespace velarium::scene::gltf

@@ -46,11 +46,12 @@ std::vector<bool> textures_in_use(const Scene& scene) {
   return used;
 }
 
-// The encoded bytes of an image: a view, or its own copy.
+// The encoded bytes of an image: a view, or its own copy of what its URI names.
 struct Source {
   Value image;
   std::uint32_t index = 0;          // in /images
   std::optional<float> glossiness;  // the factor, where it is read as roughness
+  std::optional<UriData> named;
   std::vector<std::byte> owned;
   std::span<const std::byte> bytes;
 };
@@ -63,14 +64,23 @@ void check_image(const Value& image, const Buffers& buffers) {
   if (uri) static_cast<void>(uri.text());
 }
 
-void load_source(Source& source, const Buffers& buffers, const GltfOptions& options) {
-  if (const Value reference = source.image["bufferView"]) {
-    const BufferView& view = buffers.view(reference);
-    if (!view.data) reference.fail("lies in a buffer without data");
-    source.bytes = {view.data, view.length};
-    return;
+// All of them before any is read, so that the limit on all together holds whatever thread reads which.
+void find_sources(std::vector<Source>& sources, const Buffers& buffers, const GltfOptions& options) {
+  Budget bytes("load.bytes", options.limits.bytes);
+  for (Source& source : sources) {
+    if (const Value reference = source.image["bufferView"]) {
+      const BufferView& view = buffers.view(reference);
+      if (!view.data) reference.fail("lies in a buffer without data");
+      source.bytes = {view.data, view.length};
+    } else {
+      source.named = find_uri(source.image["uri"], options, bytes);
+    }
   }
-  source.owned = load_uri(source.image["uri"], options, Budget("load.bytes", options.limits.bytes));
+}
+
+void read_source(Source& source) {
+  if (!source.named) return;
+  source.owned = read_uri(*source.named);
   source.bytes = source.owned;
 }
 
@@ -109,7 +119,7 @@ std::vector<Source> assign_images(Context& context, const Buffers& buffers) {
     const auto index = static_cast<std::uint32_t>(image);
     const auto glossiness = own ? std::optional(context.glossiness_factors[i - texture_count]) : std::nullopt;
     const auto [place, added] = places.emplace(std::pair(index, glossiness), static_cast<std::int32_t>(sources.size()));
-    if (added) sources.push_back({list.at(index), index, glossiness, {}, {}});
+    if (added) sources.push_back({list.at(index), index, glossiness, {}, {}, {}});
     image = place->second;
   }
   return sources;
@@ -139,7 +149,8 @@ void check_sizes(const std::vector<Source>& sources, const GltfLimits& limits) {
 void read_images(Context& context, const Buffers& buffers) {
   const GltfLimits& limits = context.options.limits;
   std::vector<Source> sources = assign_images(context, buffers);
-  parallel_for(sources.size(), [&](std::size_t i) { load_source(sources[i], buffers, context.options); });
+  find_sources(sources, buffers, context.options);
+  parallel_for(sources.size(), [&](std::size_t i) { read_source(sources[i]); });
   check_sizes(sources, limits);
   context.scene.images.resize(sources.size());
   parallel_for(sources.size(), [&](std::size_t i) {

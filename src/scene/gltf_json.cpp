@@ -20,8 +20,12 @@ using Json = nlohmann::json;
 
 namespace {
 
-// Bounds the memory that JSON of many tiny values can claim: 16 bytes a value, hence 1 GiB.
-constexpr std::uint64_t kMaxValues = 1ull << 26;
+// Two bytes of text may be a value that takes far more memory. The dearest is a member that is an empty object: 96
+// bytes for the node of the map that names it and 64 for its own map, as glibc's allocator rounds the sizes of
+// libstdc++.
+constexpr std::uint64_t kBytesAValue = 160;
+// 10 MiB: a limit for small files is not one for their syntax. At most, so that an index of 32 bits reaches each value.
+constexpr std::uint64_t kLeastValues = 1ull << 16, kMostValues = 1ull << 31;
 
 // Messages quote text of the file, which may be long and may hold line breaks or terminal controls.
 constexpr std::size_t kMaxMessage = 600;
@@ -74,8 +78,13 @@ bool find(const Json& tree, const Json& wanted, std::string& pointer) {
 // Builds the tree from the parser's events, and refuses what would be unsafe or ambiguous.
 class Builder final : public nlohmann::json_sax<Json> {
  public:
-  Builder(const std::filesystem::path& file, std::string_view text, std::uint32_t max_depth, Json& root)
-      : file_(file), text_(text), levels_("load.depth", max_depth), root_(root) {}
+  Builder(const std::filesystem::path& file, std::string_view text, const GltfLimits& limits, Json& root)
+      : file_(file),
+        text_(text),
+        levels_("load.depth", limits.depth),
+        max_bytes_(limits.bytes),
+        max_values_(std::clamp(limits.bytes / kBytesAValue, kLeastValues, kMostValues)),
+        root_(root) {}
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
@@ -117,8 +126,11 @@ class Builder final : public nlohmann::json_sax<Json> {
 
  private:
   Json* place(Json&& value) {
-    if (++values_ > kMaxValues) {
-      throw Error(ErrorCode::input_invalid, file_, fmt::format("the JSON has more than {} values", kMaxValues));
+    if (++values_ > max_values_) {
+      throw Error(ErrorCode::input_invalid, file_,
+                  fmt::format("the JSON has more than {} values, which is as many as load.bytes={} allows; a larger "
+                              "load.bytes allows more, up to {}",
+                              max_values_, max_bytes_, kMostValues));
     }
     if (open_.empty()) return &(root_ = std::move(value));
     if (open_.back()->is_array()) return &open_.back()->get_ref<Json::array_t&>().emplace_back(std::move(value));
@@ -147,6 +159,7 @@ class Builder final : public nlohmann::json_sax<Json> {
   const std::filesystem::path& file_;
   std::string_view text_;
   const Budget levels_;
+  const std::uint64_t max_bytes_, max_values_;
   Json& root_;
   std::vector<Json*> open_;  // stable: an array grows only while none of its elements is open
   Json* member_ = nullptr;   // the value of the key read last
@@ -167,9 +180,9 @@ std::optional<std::uint64_t> whole_number(const Json& json) {
 
 // --- Document ---------------------------------------------------------------------------------------------------
 
-Document::Document(std::filesystem::path file, std::string_view text, std::uint32_t max_depth)
+Document::Document(std::filesystem::path file, std::string_view text, const GltfLimits& limits)
     : file_(std::move(file)), json_(std::make_unique<Json>()) {
-  Builder builder(file_, text, max_depth, *json_);
+  Builder builder(file_, text, limits, *json_);
   Json::sax_parse(text.begin(), text.end(), &builder);
 }
 

@@ -3,6 +3,8 @@
 // JSON text as glTF needs it: bounded in depth and size, no duplicate keys, typed access, and errors that name the
 // JSON pointer at fault. Pointers are found by search when an error is raised, so that reading costs nothing for them.
 
+#include "scene/gltf.hpp"
+
 #include <glm/gtc/type_ptr.hpp>
 
 #include <nlohmann/json_fwd.hpp>
@@ -25,9 +27,9 @@ class Value;
 // A glTF file being read: its JSON, and what was found wrong with it. Values refer to it: it must outlive them.
 class Document {
  public:
-  // Throws Error(input_invalid) with line, column and byte offset where `text` is not JSON, nests deeper than
-  // `max_depth`, or repeats a key of an object.
-  Document(std::filesystem::path file, std::string_view text, std::uint32_t max_depth);
+  // Throws Error(input_invalid) with line, column and byte offset where `text` is not JSON, or where it repeats a key
+  // of an object, nests deeper than `limits.depth`, or has more values than fit `limits.bytes` of memory.
+  Document(std::filesystem::path file, std::string_view text, const GltfLimits& limits);
   ~Document();
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;

@@ -123,8 +123,7 @@ fs::path resolved_file(const Value& uri, const fs::path& relative, const GltfOpt
   return file;
 }
 
-std::vector<std::byte> file_uri_bytes(const Value& uri, std::string_view text, const GltfOptions& options,
-                                      const Budget& budget) {
+UriData find_file(const Value& uri, std::string_view text, const GltfOptions& options, Budget& budget) {
   const std::string_view first_segment = text.substr(0, text.find('/'));
   if (first_segment.find(':') != std::string_view::npos) {
     uri.fail("has a scheme; only data URIs and relative file names are read");
@@ -141,17 +140,28 @@ std::vector<std::byte> file_uri_bytes(const Value& uri, std::string_view text, c
                             fs::exists(status) ? "is not a regular file" : "does not exist; put it beside the scene"));
   }
   const std::uintmax_t size = fs::file_size(file, error);
-  if (!error && !budget.fits(size)) uri.fail(fmt::format("with '{}' there are {}", name, budget.refusal(size)));
-  return read_file(file, budget);
+  if (error) {
+    throw Error(ErrorCode::input_missing, uri.file(),
+                fmt::format("{}: '{}' cannot be read: {}", uri.pointer(), name, error.message()));
+  }
+  if (!budget.fits(size)) uri.fail(fmt::format("with '{}' there are {}", name, budget.refusal(size)));
+  budget.spend(size);
+  return {uri, file, size};
 }
 
 }  // namespace
 
-std::vector<std::byte> load_uri(const Value& uri, const GltfOptions& options, const Budget& budget) {
+UriData find_uri(const Value& uri, const GltfOptions& options, Budget& budget) {
   const std::string_view text = uri.text();
-  if (!text.starts_with(kDataScheme)) return file_uri_bytes(uri, text, options, budget);
+  if (!text.starts_with(kDataScheme)) return find_file(uri, text, options, budget);
   if (!budget.fits(text.size())) uri.fail("with its data there are " + budget.refusal(text.size()));
-  return data_uri_bytes(uri, text.substr(kDataScheme.size()));
+  budget.spend(text.size());
+  return {uri, {}, text.size()};
+}
+
+std::vector<std::byte> read_uri(const UriData& found) {
+  if (!found.file.empty()) return read_file(found.file, found.bytes);
+  return data_uri_bytes(found.uri, found.uri.text().substr(kDataScheme.size()));
 }
 
 }  // namespace velarium::scene::gltf

@@ -7,15 +7,27 @@
 #include "scene/gltf_json.hpp"
 
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <vector>
 
 namespace velarium::scene::gltf {
 
-// The bytes that `uri` (a JSON string) stands for: a data URI in base64 or percent encoding, or a file whose name is
-// percent-encoded and relative to the glTF file. Throws Error(input_invalid) at the value's pointer for a malformed
-// URI, one with another scheme, one that leaves the folder although options forbid it, or one of more bytes than
-// the budget has left;
-// Error(input_missing) where the file cannot be read. Safe to call from several threads.
-[[nodiscard]] std::vector<std::byte> load_uri(const Value& uri, const GltfOptions& options, const Budget& budget);
+// What a URI names, found but not read.
+struct UriData {
+  Value uri;
+  std::filesystem::path file;  // empty: the data is in the URI itself
+  std::uint64_t bytes = 0;     // of the file, or of the URI's text, which is never shorter than its data
+};
+
+// `uri` is a JSON string: a data URI in base64 or percent encoding, or the name of a file, percent-encoded and relative
+// to the glTF file. Spends its bytes. Throws Error(input_invalid) at the value's pointer for a malformed name, another
+// scheme, a file outside the folder although options forbid it, or more bytes than the budget has left;
+// Error(input_missing) where there is no such file.
+[[nodiscard]] UriData find_uri(const Value& uri, const GltfOptions& options, Budget& budget);
+
+// Throws Error(input_invalid) where the data is malformed or the file has grown since it was found,
+// Error(input_missing) where it cannot be read. Safe to call from several threads.
+[[nodiscard]] std::vector<std::byte> read_uri(const UriData& found);
 
 }  // namespace velarium::scene::gltf

@@ -90,7 +90,7 @@ void accessors(Bytes input) {
   expect_orderly([&] {
     Container container;
     container.binary = data;
-    Document document("input.gltf", document_of(description, data.size()), 16);
+    Document document("input.gltf", document_of(description, data.size()), {.depth = 16});
     const Buffers buffers(document.root(), container, {});
     Accessors accessors(document.root(), buffers, {});
     read(accessors, accessors.find(document.root()["use"], formats));

@@ -48,7 +48,7 @@ void draco(Bytes input) {
   expect_orderly([&] {
     Container container;
     container.binary = data;
-    Document document("input.gltf", document_of(description, data.size()), 16);
+    Document document("input.gltf", document_of(description, data.size()), {.depth = 16});
     const Buffers buffers(document.root(), container, options);
     Accessors accessors(document.root(), buffers, options.limits);
     scene::Scene scene;

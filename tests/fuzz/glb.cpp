@@ -11,7 +11,7 @@ void glb(Bytes input) {
   const scene::GltfOptions options;
   expect_orderly([&] {
     const Container container = open_container(file.write(input), options.limits);
-    Document document("input.glb", container.json, kDepth);
+    Document document("input.glb", container.json, {.depth = kDepth});
     const Buffers buffers(document.root(), container, options);
     const Accessors accessors(document.root(), buffers, options.limits);
   });

@@ -42,7 +42,7 @@ void json(Bytes input) {
   constexpr std::size_t kLongest = 1024;
   if (input.size() > kLongest) return;
   expect_orderly([&] {
-    scene::gltf::Document document("input.gltf", text_of(input), kDepth);
+    scene::gltf::Document document("input.gltf", text_of(input), {.depth = kDepth});
     walk(document.root());
     static_cast<void>(document.warnings());
   });

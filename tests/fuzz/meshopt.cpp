@@ -41,7 +41,7 @@ void meshopt(Bytes input) {
   expect_orderly([&] {
     Container container;
     container.binary = data;
-    Document document("input.gltf", document_of(description, data.size()), 16);
+    Document document("input.gltf", document_of(description, data.size()), {.depth = 16});
     const Buffers buffers(document.root(), container, {});
   });
 }

@@ -7,12 +7,12 @@ namespace {
 using gltf::Document;
 using gltf::Value;
 
-void refuse(const std::string& text, const std::string& part, std::uint32_t depth = 256) {
-  expect_error(ErrorCode::input_invalid, part, [&] { Document document("file", text, depth); });
+void refuse(const std::string& text, const std::string& part, const GltfLimits& limits = {}) {
+  expect_error(ErrorCode::input_invalid, part, [&] { Document document("file", text, limits); });
 }
 
 void refuse_value(const std::string& text, const std::string& part, const std::function<void(const Value&)>& use) {
-  Document document("file", text, 256);
+  Document document("file", text, {});
   expect_error(ErrorCode::input_invalid, "file: " + part, [&] { use(document.root()["a"]); });
 }
 
@@ -31,9 +31,24 @@ TEST(GltfJson, DepthIsBounded) {
   const auto nested = [](std::size_t levels) {
     return "{\"a\":" + std::string(levels - 1, '[') + std::string(levels - 1, ']') + "}";
   };
-  EXPECT_NO_THROW(Document("file", nested(8), 8));
-  refuse(nested(9), "the JSON nests to a depth of 9 levels, more than load.depth=8 allows", 8);
+  EXPECT_NO_THROW(Document("file", nested(8), {.depth = 8}));
+  refuse(nested(9), "the JSON nests to a depth of 9 levels, more than load.depth=8 allows", {.depth = 8});
   refuse("{\"a\":" + std::string(1'000'000, '['), "load.depth=256");
+}
+
+// Values of the text {"a":[0,...,0]} besides the elements: the object and the array.
+TEST(GltfJson, ValuesTogetherAreBounded) {
+  const auto zeros = [](std::size_t count) {
+    std::string text = "{\"a\":[0";
+    for (std::size_t i = 1; i < count; ++i) text += ",0";
+    return text + "]}";
+  };
+  constexpr std::size_t kAlways = 1 << 16;
+  EXPECT_NO_THROW(Document("file", zeros(kAlways - 2), {.bytes = 1}));
+  refuse(zeros(kAlways - 1), "has more than 65536 values, which is as many as load.bytes=1 allows", {.bytes = 1});
+  constexpr std::uint64_t kBytes = 160 * 100'000;
+  EXPECT_NO_THROW(Document("file", zeros(100'000 - 2), {.bytes = kBytes}));
+  refuse(zeros(100'000 - 1), "has more than 100000 values", {.bytes = kBytes});
 }
 
 TEST(GltfJson, DuplicateKeysAreRefusedByPointer) {
@@ -41,7 +56,7 @@ TEST(GltfJson, DuplicateKeysAreRefusedByPointer) {
 }
 
 TEST(GltfJson, PointersEscapeTheirTokens) {
-  Document document("file", R"({"a": {"x~y/z": [1, {"q": true}]}})", 256);
+  Document document("file", R"({"a": {"x~y/z": [1, {"q": true}]}})", {});
   EXPECT_EQ(document.root()["a"]["x~y/z"].at(1)["q"].pointer(), "/a/x~0y~1z/1/q");
   EXPECT_EQ(document.root().pointer(), "/");
 }
@@ -52,7 +67,7 @@ TEST(GltfJson, WholeNumbersAreStrict) {
        {"0", "11", "-1", "1.5", "\"3\"", "null", "true", "[]", "{}", "1e20", "18446744073709551616"}) {
     refuse_value(std::string("{\"a\": ") + wrong + "}", "/a: is ", integer);
   }
-  Document document("file", R"({"a": 3.0, "b": 10})", 256);
+  Document document("file", R"({"a": 3.0, "b": 10})", {});
   EXPECT_EQ(document.root()["a"].integer(1, 10), 3u);  // the same JSON number as 3
   EXPECT_EQ(document.root()["b"].integer(1, 10), 10u);
 }
@@ -82,7 +97,7 @@ TEST(GltfJson, OtherTypesAreStrict) {
 }
 
 TEST(GltfJson, WarningsOfOneReasonAreCounted) {
-  Document document("file", R"({"a": [2, 3, 2], "b": 2})", 256);
+  Document document("file", R"({"a": [2, 3, 2], "b": 2})", {});
   for (const Value& value : document.root()["a"].elements()) static_cast<void>(value.clamped_or(0.0f, 0.0f, 1.0f));
   document.root()["b"].warn("is odd");
   EXPECT_EQ(document.warnings(),
@@ -93,7 +108,7 @@ TEST(GltfJson, WarningsOfOneReasonAreCounted) {
 TEST(GltfJson, MessagesAreShortAndHoldNoControls) {
   const std::string longest(100'000, 'x');
   try {
-    Document document("file", "{\"a\": \"\\n\\u001b[2J" + longest + "\"}", 256);
+    Document document("file", "{\"a\": \"\\n\\u001b[2J" + longest + "\"}", {});
     static_cast<void>(document.root()["a"].number());
     FAIL();
   } catch (const Error& error) {

@@ -115,6 +115,31 @@ TEST(GltfUri, BuffersTogetherAreBounded) {
                [&] { static_cast<void>(read_gltf(file, options)); });
 }
 
+// Zeros are no pictures: what is refused for its bytes alone was not decoded.
+TEST(GltfUri, ImagesTogetherAreBounded) {
+  const TemporaryFolder folder;
+  const std::size_t enough = 100'000;
+  folder.write("a.png", std::string(enough / 2, '\0'));
+  folder.write("b.png", std::string(enough / 2 + 1, '\0'));
+  Model model = triangle();
+  model.root["images"] = {{{"uri", "a.png"}}, {{"uri", "b.png"}}};
+  model.root["textures"] = {{{"source", 0}}, {{"source", 1}}};
+  model.root["materials"] = {
+      {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}, {"normalTexture", {{"index", 1}}}}};
+  model.root["meshes"][0]["primitives"][0]["material"] = 0;
+  const auto file = folder.write("model.gltf", model.text());
+  const auto read = [&](std::uint64_t limit) {
+    GltfOptions options;
+    options.limits.bytes = limit;
+    static_cast<void>(read_gltf(file, options));
+  };
+  expect_error(ErrorCode::input_invalid,
+               "/images/1/uri: with 'b.png' there are 100001 bytes, more than load.bytes=100000 allows; "
+               "-D load.bytes=100001 allows it",
+               [&] { read(enough); });
+  expect_error(ErrorCode::input_invalid, "/images/0 (a.png)", [&] { read(enough + 1); });  // within the limit, no PNG
+}
+
 TEST(GltfUri, BuffersHoldWhatTheyPromise) {
   Model model = triangle();
   model.root["buffers"] = {{{"byteLength", model.buffer.size() + 1}, {"uri", "data:;base64," + base64(model.buffer)}}};
