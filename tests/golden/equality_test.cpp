@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -169,7 +170,9 @@ TEST(TiledLighting, TransparentSurfacesFindTheSameLights) {
   const Picture opaque = picture_of(plane("OPAQUE"), view), blended = picture_of(plane("BLEND"), view);
   // One step of a half float each, below the next power of two.
   EXPECT_LT(largest_error(opaque.linear, blended.linear), 4e-3);
-  EXPECT_GT(mean_squared_error(opaque.linear, std::vector<float>(opaque.linear.size(), 0.0f)), 0.01);
+  float most_red = 0.0f;  // alpha is 1 without light as well
+  for (std::size_t i = 0; i < opaque.linear.size(); i += 4) most_red = std::max(most_red, opaque.linear[i]);
+  EXPECT_GT(most_red, 0.1f);
 }
 
 TEST(Sizes, AnySizeAndNumberOfFramesMakesAPicture) {

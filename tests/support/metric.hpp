@@ -1,6 +1,8 @@
 #pragma once
 
-// Differences between pictures. What is no picture (another size, one flat colour, not a number) never passes.
+// Whether pictures are what they were: as the metric `share` of `velarium compare` counts, but in whole steps of 8
+// bits, and what is no picture (another size, one flat colour, not a number) never passes. The library measures how far
+// pictures are apart: velarium/compare.hpp.
 
 #include "image/image.hpp"
 
@@ -29,13 +31,7 @@ struct Verdict {
 // 16 times the difference of each channel, opaque, so that small ones can be seen. Precondition: equal sizes.
 [[nodiscard]] image::ByteImage difference_picture(const image::ByteImage& a, const image::ByteImage& b);
 
-// Of values around 1. NaN, which fails every comparison, where a value is NaN or the sizes differ.
-[[nodiscard]] double mean_squared_error(std::span<const float> a, std::span<const float> b);
-
-// Peak 1; infinite for equal values, NaN as above.
-[[nodiscard]] double psnr_db(std::span<const float> a, std::span<const float> b);
-
-// Largest |a - b|. NaN as above.
+// Largest |a - b|; NaN, which fails every comparison, where a value is NaN, the sizes differ or there is no value.
 [[nodiscard]] double largest_error(std::span<const float> a, std::span<const float> b);
 
 }  // namespace velarium::test
