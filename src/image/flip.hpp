@@ -25,8 +25,8 @@ struct Exposures {
 };
 
 // From the exposure in which the brightest pixel of the reference is nearly white to that in which the median is: as
-// many as stops lie between, rounded up, and two at least (2021, section 3). Pixels without light, such as a background, do not count for the median;
-// a picture without any light is seen once, as it is.
+// many as stops lie between, rounded up, and two at least (2021, section 3). Pixels without light, such as a
+// background, do not count for the median; a picture without any light is seen once, as it is.
 [[nodiscard]] Exposures exposures_of(const FloatImage& reference);
 
 // The largest FLIP of each pixel over the exposures, through the tone curve that the paper proposes. The pictures hold

@@ -80,6 +80,6 @@ void save_exr(const std::filesystem::path& file, const FloatImage& image, bool h
 // Readers that know of one part only show the first. Each part carries the attributes.
 void save_exr_parts(const std::filesystem::path& file, Size size, std::span<const ExrPart> parts,
                     const Attributes& attributes = {});
-void save_hdr(const std::filesystem::path& file, const FloatImage& image);               // alpha is dropped
+void save_hdr(const std::filesystem::path& file, const FloatImage& image);  // alpha is dropped
 
 }  // namespace velarium::image
