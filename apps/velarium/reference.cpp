@@ -12,6 +12,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 
@@ -19,6 +20,10 @@ namespace velarium::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::string counted(std::uint32_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
 
 class Reference {
  public:
@@ -120,12 +125,13 @@ void Reference::say_summary(const ReferenceReport& report) const {
   if (verbosity() == Verbosity::quiet) return;
   std::error_code unknown;
   const std::uintmax_t bytes = fs::file_size(output_, unknown);
+  const double rate = report.seconds > 0.0 ? 1e-6 * static_cast<double>(report.paths) / report.seconds : 0.0;
+  const std::string error =
+      std::isfinite(report.relative_error) ? fmt::format(", error about {:.2g} %", 100.0 * report.relative_error) : "";
   const std::string text = fmt::format(
-      "wrote {}: {} x {}, {}{} paths a pixel in {}, {:.2f} million a second on {} {}, error about {:.2g} %\n",
-      output_.string(), view_.request.width, view_.request.height, unknown ? "" : size_text(bytes) + ", ",
-      report.samples, time_text(1e3 * report.seconds),
-      report.seconds > 0.0 ? 1e-6 * static_cast<double>(report.paths) / report.seconds : 0.0, report.threads,
-      report.threads == 1 ? "thread" : "threads", 100.0 * report.relative_error);
+      "wrote {}: {} x {}, {}{} in {}, {:.2f} million a second on {}{}\n", output_.string(), view_.request.width,
+      view_.request.height, unknown ? "" : size_text(bytes) + ", ", counted(report.samples, "path") + " a pixel",
+      time_text(1e3 * report.seconds), rate, counted(report.threads, "thread"), error);
   // Standard output belongs to the timings where they go there.
   timings_ == "-" ? fmt::print(stderr, "{}", text) : print(text);
 }

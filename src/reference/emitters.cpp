@@ -96,7 +96,8 @@ std::optional<Emitters::Sample> Emitters::sample(const glm::vec3& position, floa
 
 float Emitters::pdf_m2(std::uint32_t object, std::uint32_t triangle, float area_m2) const {
   if (first_[object] == kDark) return 0.0f;
-  return choice_.probability(first_[object] + triangle) / area_m2;
+  const float probability = choice_.probability(first_[object] + triangle);
+  return probability > 0.0f ? probability / area_m2 : 0.0f;
 }
 
 }  // namespace velarium::reference

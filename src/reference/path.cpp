@@ -212,7 +212,8 @@ bool PathTracer::reflect(Path& path, const Vertex& vertex, const Draws& draws) c
   if (path.reflections + 1 == transport_.reflections && !anything_to_find(path)) return false;
   const auto next = sample_brdf(vertex.look.surface, vertex.alpha, vertex.wo, vertex.specular_scale, transport_.model,
                                 draws.lobe, draws.direction);
-  if (!next) return false;
+  // What is not a number (vertex colours may be such) goes no further.
+  if (!next || !(next->pdf_sr > 0.0f)) return false;
   path.throughput *= next->weight;
   path.pdf_sr = next->pdf_sr;
   ++path.reflections;

@@ -86,6 +86,20 @@ class Reference(CliTest):
         self.expect(OK, "reference", "points.gltf", *SMALL, says="no triangles")
         self.expect(OK, "reference", "builtin:spheres", *SMALL, "--env-intensity", "0", says="black")
 
+    def test_lamps_may_have_a_radius(self):
+        def lit(extras):
+            lamp = {"type": "point", "intensity": 30.0, "extras": extras}
+            self.write("lamp.gltf", triangle_gltf(
+                extensions={"KHR_lights_punctual": {"lights": [lamp]}}, extensionsUsed=["KHR_lights_punctual"],
+                nodes=[{"mesh": 0}, {"translation": [0, 0, 1], "extensions": {"KHR_lights_punctual": {"light": 0}}}],
+                scenes=[{"nodes": [0, 1]}]))
+            self.expect(OK, "reference", "lamp.gltf", *SMALL, "-o", "out.png")
+            return read_png(self.folder / "out.png")
+        point = lit({})
+        self.assertNotEqual(lit({"radius": 0.9}), point)
+        for other in ("wide", 3, {"radius": "wide"}, {"radius": -1}, {"radius": 0}, [0.9]):
+            self.assertEqual(lit(other), point, other)
+
     def test_time_and_noise_end_a_picture(self):
         for flag, value in (("--time-limit", "0.5"), ("--noise", "0.9")):
             self.expect(OK, "reference", "builtin:cornell", "--size", "48x32", "--spp", "1000000", flag, value,
