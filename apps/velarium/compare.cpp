@@ -80,7 +80,7 @@ void Compare::declare(CLI::App& verb) {
     };
     verb.add_option_function<std::string>(name, named, help)->type_name(value);
   };
-  verb.add_option("PICTURE", options_.name, "a file that ends in .png .jpg .webp .exr .hdr")
+  verb.add_option("PICTURE", options_.name, "a .png, .jpg, .webp, .exr or .hdr file, told by its content")
       ->type_name("FILE")
       ->required();
   verb.add_option("REFERENCE", options_.reference_name, "what it should be, of the same size")
@@ -90,7 +90,7 @@ void Compare::declare(CLI::App& verb) {
       [this](const std::string& text) { decision_.metric = parse_metric(text); });
   add("--threshold", "X", "the worst value that is accepted [that of equal pictures]",
       [this](const std::string& text) { threshold_ = parse_threshold(text); });
-  add("--tolerance", "X", "difference of a channel, 0 to 1, up to which a pixel is not `share` [2/255]",
+  add("--tolerance", "X", "difference of a channel up to which a pixel does not count for `share`, from 0 [2/255]",
       [this](const std::string& text) { options_.tolerance = parse_number(text); });
   add("--crop", "X,Y,W,H", "compare this part alone, in pixels from the top left",
       [this](const std::string& text) { options_.crop = parse_region(text); });
@@ -106,7 +106,7 @@ void Compare::declare(CLI::App& verb) {
   add("--error-map", "FILE", "save FLIP of each pixel: .png in colours, .exr as numbers",
       [this](const std::string& text) { error_map_ = text; });
   add("--json", "FILE|-", "write the numbers as JSON", [this](const std::string& text) { json_ = text; });
-  add("--html", "FILE", "write a page with both pictures under a slider, the error map and the numbers",
+  add("--html", "FILE", "write a page with both pictures under a divider, the error map and the numbers",
       [this](const std::string& text) { html_ = text; });
   add_verbosity_flags(verb);
 }

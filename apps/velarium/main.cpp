@@ -54,17 +54,23 @@ int parse_and_run(int argc, char** argv) {
   app.set_version_flag("--version", fmt::format("velarium {}", kVersion));
   app.footer(
       "velarium VERB --help tells more. Exit codes: 0 done, 1 pictures differ, 2 usage, 3 input missing,\n"
-      "4 input invalid, 5 unsupported, 6 no usable device, 7 output not written, 70 defect, 75 try again, 130 interrupted.");
+      "4 input invalid, 5 unsupported, 6 no usable device, 7 output not written, 70 defect, 75 try again,\n"
+      "130 and 143 interrupted.");
   app.require_subcommand(0, 1);
-  for (const auto add : {add_render, add_reference, add_info, add_devices, add_bench, add_compare, add_options, add_completion}) add(app);
+  for (const auto add :
+       {add_render, add_reference, add_info, add_devices, add_bench, add_compare, add_options, add_completion})
+    add(app);
 
   std::vector<std::string> arguments = with_verb({argv + 1, argv + argc}, app);
+  const std::string verb = arguments.front();
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
   try {
     app.parse(std::move(arguments));
-  } catch (const CLI::Success& help_or_version) { return app.exit(help_or_version); } catch (const CLI::Error& error) {
-    throw Error(ErrorCode::usage, error.what());
-  }
+  } catch (const CLI::Success& help_or_version) {
+    return app.exit(help_or_version);
+  } catch (const CLI::RequiredError& error) {
+    throw Error(ErrorCode::usage, fmt::format("{}; velarium {} --help tells what", error.what(), verb));
+  } catch (const CLI::Error& error) { throw Error(ErrorCode::usage, error.what()); }
   return 0;
 }
 

@@ -10,7 +10,7 @@
 
 namespace velarium::app {
 
-// What render and bench have in common: which view of a scene, with which settings, on which device.
+// What render, reference and bench have in common: which view of a scene, with which settings, on which device.
 struct View {
   RenderRequest request;
   EngineOptions engine;
@@ -22,8 +22,8 @@ struct View {
 // Declares the flags that fill `view`.
 void add_view_flags(Flags& flags, View& view);
 
-// What the flags together mean: the camera of --eye and its companions, and the limits of the scene. Throws Error(usage)
-// where they contradict each other.
+// What the flags together mean: the camera of --eye and its companions, and the limits of the scene. Throws
+// Error(usage) where they contradict each other.
 void finish_view(View& view);
 
 // What a picture of this scene is called where nobody says: "builtin:atrium" and "folder/atrium.gltf" become atrium.png

@@ -7,6 +7,7 @@
 #include "image/ssim.hpp"
 
 #include <velarium/error.hpp>
+#include <velarium/options.hpp>
 
 #include <fmt/core.h>
 
@@ -40,10 +41,12 @@ void check_range(float value, float least, float most, const char* name) {
 }
 
 void check_options(const CompareOptions& options) {
-  constexpr float kMostStops = 32.0f;  // as display.exposure
   check_range(options.pixels_per_degree, 1.0f, 1000.0f, "the number of pixels per degree");
-  check_range(options.tolerance, 0.0f, std::numeric_limits<float>::max(), "the tolerance");
-  check_range(options.exposure, -kMostStops, kMostStops, "the exposure");
+  if (!(options.tolerance >= 0.0f))
+    throw Error(ErrorCode::usage, fmt::format("the tolerance is 0 or more, not {}", options.tolerance));
+  const auto table = option_table();
+  const auto row = std::find_if(table.begin(), table.end(), [](const auto& o) { return o.key == "display.exposure"; });
+  check_range(options.exposure, static_cast<float>(row->minimum), static_cast<float>(row->maximum), "the exposure");
 }
 
 // One value a pixel, of pictures over one background.

@@ -2,6 +2,7 @@
 
 #include "api/compare_page_template.hpp"
 #include "api/compared_pictures.hpp"
+#include "core/assert.hpp"
 #include "core/jobs.hpp"
 #include "image/codecs.hpp"
 #include "image/error_colors.hpp"
@@ -133,7 +134,9 @@ std::string filled(std::string_view page, const Values& values) {
   for (std::size_t open; (open = page.find("{{")) != std::string_view::npos;) {
     const std::size_t close = page.find("}}", open);
     text += page.substr(0, open);
-    text += values.find(page.substr(open + 2, close - open - 2))->second;
+    const auto value = values.find(page.substr(open + 2, close - open - 2));
+    VEL_ASSERT(value != values.end());
+    text += value->second;
     page.remove_prefix(close + 2);
   }
   return text += page;

@@ -47,7 +47,7 @@ class Budgets(CliTest):
 
     def test_flags_and_files_set_them(self):
         config = self.write("c.toml", "[load]\nnodes = 2\n")
-        for verb in ("info", "render"):
+        for verb in ("info", "render", "reference"):
             self.expect(INVALID, verb, "a.gltf", "--config", config, says=NODES_2)
             self.expect(INVALID, verb, "a.gltf", "-D", "load.nodes=2", says=NODES_2)
             self.expect(USAGE, verb, "a.gltf", "-D", "load.nodes=0", says="from 1 to 67108864 nodes")

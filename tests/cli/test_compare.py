@@ -152,13 +152,15 @@ class LinearLight(CompareTest):
 
 class Refusals(CompareTest):
     def test_wrong_arguments(self):
-        self.expect(USAGE, "compare", "ramp.png", says="REFERENCE")
+        self.expect(USAGE, "compare", "ramp.png", says="REFERENCE is required; velarium compare --help tells what")
         self.expect(USAGE, "compare", "ramp.png", "ramp.png", "ramp.png", says="one argument too many")
         self.expect(USAGE, "compare", "ramp.png", "ramp.png", "--metric", "flop", says="did you mean flip?")
         self.expect(USAGE, "compare", "ramp.png", "ramp.png", "--threshold", "low", says="--threshold: 'low'")
         self.expect(USAGE, "compare", "ramp.png", "ramp.png", "--threshold", "nan", says="--threshold")
         self.expect(USAGE, "compare", "ramp.png", "ramp.png", "--htlm", "a.html", says="did you mean --html?")
         self.expect(USAGE, "compare", "ramp.png", "ramp.png", "--pixels-per-degree", "0", says="from 1 to 1000")
+        self.expect(USAGE, "compare", "ramp.png", "ramp.png", "--exposure", "33", says="from -32 to 32")
+        self.expect(USAGE, "compare", "ramp.png", "ramp.png", "--tolerance", "-1", says="0 or more")
         for crop in ("1,2,3", "1,2,3,4,5", "-1,0,1,1", "0,0,0,1", "a,b,c,d", "1,1,24,1", ""):
             self.expect(USAGE, "compare", "ramp.png", "ramp.png", "--crop", crop)
 
