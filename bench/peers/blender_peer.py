@@ -1,5 +1,6 @@
-"""Draws one picture inside Blender: blender -b --python blender_peer.py -- SCENE ENV OUT ENGINE SAMPLES W H EYE TARGET FOV"""
+"""Draws one picture inside Blender: blender -b --python blender_peer.py -- JOB, a JSON object; `common.py` writes it."""
 
+import json
 import math
 import sys
 
@@ -40,20 +41,49 @@ def add_environment(file):
     bpy.context.scene.world = world
 
 
+def trace_as_velarium_does(settings, job):
+    """Makes Cycles estimate the integral that `velarium reference` estimates, by the same number of paths.
+
+    What would cut light off, blur it, or stop early is off; pixels are boxes. Paths end by roulette alone, which Cycles
+    plays from the first reflection on and we from the fourth: each is left to its own way.
+    """
+    cycles = settings.cycles
+    cycles.samples, cycles.seed = job["samples"], job["seed"]
+    cycles.use_adaptive_sampling = cycles.use_denoising = False
+    # Both count reflections after the first: 0 is direct light.
+    cycles.max_bounces = cycles.diffuse_bounces = cycles.glossy_bounces = cycles.transmission_bounces = job["bounces"]
+    cycles.transparent_max_bounces = 256
+    cycles.min_light_bounces = cycles.min_transparent_bounces = 0
+    cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
+    cycles.light_sampling_threshold = 0.0
+    cycles.blur_glossy = 0.0
+    cycles.caustics_reflective = cycles.caustics_refractive = True
+    cycles.pixel_filter_type = "BOX"
+    settings.render.threads_mode, settings.render.threads = "FIXED", job["threads"]
+
+
+def write_linear_light(settings):
+    """An .exr file holds the light itself: neither a view transform nor exposure touches it."""
+    settings.render.image_settings.file_format = "OPEN_EXR"
+    settings.render.image_settings.color_mode = "RGB"
+    settings.render.image_settings.color_depth = "32"
+
+
 def main():
-    scene, env, out, engine, samples, width, height, *camera = sys.argv[sys.argv.index("--") + 1:]
-    numbers = [float(text) for text in camera]
+    job = json.loads(sys.argv[-1])
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    bpy.ops.import_scene.gltf(filepath=scene)
-    add_camera(numbers[0:3], numbers[3:6], numbers[6])
-    add_environment(env)
+    bpy.ops.import_scene.gltf(filepath=job["scene"])
+    add_camera(job["eye"], job["target"], job["fov"])
+    add_environment(job["env"])
     settings = bpy.context.scene
-    settings.render.engine = engine
-    settings.render.resolution_x, settings.render.resolution_y = int(width), int(height)
-    settings.render.filepath = out
-    settings.eevee.taa_render_samples = int(samples)
+    settings.render.engine = job["engine"]
+    settings.render.resolution_x, settings.render.resolution_y = job["size"]
+    settings.render.filepath = job["out"]
+    if job["out"].endswith(".exr"):
+        write_linear_light(settings)
+    settings.eevee.taa_render_samples = job["samples"]
     settings.eevee.use_gtao = settings.eevee.use_ssr = True
-    settings.cycles.samples, settings.cycles.use_denoising = int(samples), False
+    trace_as_velarium_does(settings, job)
     bpy.ops.render.render(write_still=True)
 
 
