@@ -56,6 +56,7 @@ class Passes {
   void run() {
     const auto wanted = static_cast<std::uint32_t>(settings_.spp);
     std::uint32_t length = 1;
+    report(0, length);  // even the smallest picture asks once
     while (done_ < wanted && !stop_) {
       const std::uint32_t end = std::min(done_ + length, wanted);
       next_tile_ = 0;

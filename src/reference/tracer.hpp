@@ -35,7 +35,8 @@ struct Job {
   bool background = true;  // the environment is seen behind the scene
   bool opaque_background = true;
   const Settings& settings;
-  // Called on the calling thread some times a second; false: stop, and return what there is.
+  // Called on the calling thread, before the first path and then some times a second; false: stop, and return what
+  // there is.
   std::function<bool(const Progress&)> on_progress;
 };
 

@@ -54,8 +54,9 @@ Traced Tracing::run() const {
                                   .energy_size = kEnergySize,
                                   .width = size,
                                   .height = size,
-                                  .settings = settings});
-  return {std::move(result.film), std::move(result.notes)};
+                                  .settings = settings,
+                                  .on_progress = on_progress});
+  return {std::move(result.film), std::move(result.notes), result.finished};
 }
 
 scene::CameraInstance point_below(float height) {

@@ -18,6 +18,7 @@ namespace velarium::statistical {
 struct Traced {
   reference::Film film;
   std::vector<std::string> notes;
+  bool finished = true;
 
   // Means over all pixels.
   [[nodiscard]] double radiance() const;        // green
@@ -31,6 +32,7 @@ struct Tracing {
   std::optional<image::FloatImage> environment = {};
   Settings settings = {};
   std::uint32_t size = 8;  // pixels a side
+  std::function<bool(const reference::Progress&)> on_progress = {};
 
   [[nodiscard]] Traced run() const;
 };

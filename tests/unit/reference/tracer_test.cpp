@@ -78,6 +78,21 @@ TEST(Tracer, NoiseEndsThePictureEarly) {
   EXPECT_LT(traced.film.finished_samples(), 1000u);
 }
 
+TEST(Tracer, CallersMayStopItAtOnceAndLater) {
+  Tracing t = still_life();
+  EXPECT_TRUE(t.run().finished);
+  t.on_progress = [](const Progress&) { return false; };
+  const auto none = t.run();
+  EXPECT_FALSE(none.finished);
+  EXPECT_EQ(none.film.finished_samples(), 0u);
+  EXPECT_EQ(none.radiance(), 0.0);
+  t.settings.reference.spp = 1000000;
+  t.on_progress = [](const Progress& p) { return p.share == 0.0; };
+  const auto some = t.run();
+  EXPECT_FALSE(some.finished);
+  EXPECT_GT(some.radiance(), 0.0);
+}
+
 TEST(Tracer, LayersTellWhatIsHitFirst) {
   Tracing t{{}, statistical::point_below(5.0f)};
   scene::SceneBuilder builder("floor");
