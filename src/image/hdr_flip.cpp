@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace velarium::image {
 namespace {
@@ -50,12 +51,14 @@ double median(std::vector<float>& values) {
 }  // namespace
 
 Exposures exposures_of(const FloatImage& reference) {
+  using Floats = std::numeric_limits<float>;
   std::vector<float> luminances;
   luminances.reserve(reference.rgba.size() / 4);
   for (std::size_t i = 0; i < reference.rgba.size(); i += 4) {
     const auto light = [&](std::size_t channel) { return std::max(reference.rgba[i + channel], 0.0f); };
     const float y = 0.2126f * light(0) + 0.7152f * light(1) + 0.0722f * light(2);  // ITU-R BT.709
-    if (y > 0.0f) luminances.push_back(y);
+    // No factor of a float's range would show less than its smallest normal number, nor more than its largest.
+    if (y >= Floats::min()) luminances.push_back(std::min(y, Floats::max()));
   }
   if (luminances.empty()) return {};
   const double white = nearly_white_light();

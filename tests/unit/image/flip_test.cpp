@@ -9,6 +9,7 @@
 #include "image/opponent_color.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -132,6 +133,17 @@ TEST(HdrFlip, DarknessIsSeenOnceAndBackgroundDoesNotCount) {
   FloatImage mostly_dark = grey(0);
   for (std::size_t c = 0; c < 3; ++c) mostly_dark.rgba[c] = 2.1188724f;
   EXPECT_NEAR(exposures_of(mostly_dark).last, 0.0f, 1e-5f);
+}
+
+// A factor that is infinite would make black not a number, and hide what differs from it.
+TEST(HdrFlip, NoLightIsTooFaintOrTooBright) {
+  using Floats = std::numeric_limits<float>;
+  for (const float light : {Floats::denorm_min(), Floats::min(), 1.0f, Floats::max()}) {
+    const Exposures exposures = exposures_of(grey(light));
+    EXPECT_TRUE(std::isfinite(std::exp2(exposures.first)) && std::isfinite(std::exp2(exposures.last))) << light;
+  }
+  const FloatImage faint = grey(Floats::min());
+  EXPECT_GT(mean(hdr_flip(grey(0), faint, exposures_of(faint), kPixelsPerDegree), {}), 0.5);
 }
 
 TEST(HdrFlip, IsThatOfAnIndependentProgram) {
