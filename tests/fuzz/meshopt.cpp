@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <cstring>
 
 namespace velarium::fuzz {
 namespace {
@@ -33,15 +32,12 @@ std::string document_of(const Description& d, std::size_t buffer_bytes) {
 }  // namespace
 
 void meshopt(Bytes input) {
-  Description description{};
-  if (input.size() <= sizeof description) return;
-  std::memcpy(&description, input.data(), sizeof description);
-  // Copied, so that reading past the end is seen.
-  const std::vector<std::byte> data(input.begin() + sizeof description, input.end());
+  const auto parts = described<Description>(input);
+  if (!parts) return;
   expect_orderly([&] {
     Container container;
-    container.binary = data;
-    Document document("input.gltf", document_of(description, data.size()), {.depth = 16});
+    container.binary = parts->data;
+    Document document("input.gltf", document_of(parts->description, parts->data.size()), {.depth = 16});
     const Buffers buffers(document.root(), container, {});
   });
 }

@@ -5,9 +5,12 @@
 
 #include <velarium/error.hpp>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace velarium::fuzz {
 
@@ -23,6 +26,23 @@ void expect_orderly(const Body& body) {
 
 inline std::string_view text_of(Bytes input) {
   return {reinterpret_cast<const char*>(input.data()), input.size()};
+}
+
+// An input whose first bytes are a Description of how to read the others.
+template <class Description>
+struct Described {
+  Description description;
+  std::vector<std::byte> data;  // a copy, so that reading past its end is seen
+};
+
+// None where no data is left.
+template <class Description>
+std::optional<Described<Description>> described(Bytes input) {
+  static_assert(alignof(Description) == 1, "any bytes are one");
+  if (input.size() <= sizeof(Description)) return std::nullopt;
+  Described<Description> result{{}, {input.begin() + sizeof(Description), input.end()}};
+  std::memcpy(&result.description, input.data(), sizeof(Description));
+  return result;
 }
 
 // A folder with one file of the input in it, gone at the end of the program. In memory where the system has a place
