@@ -81,7 +81,7 @@ def section(row, found, noise):
     error = f"FLIP {found['flip']:.3g}, relative MSE {found['relmse']:.2g}"
     spread = f"noise of the reference {float(noise['flip']):.2g} and {float(noise['relmse']):.2g} at {noise['paths']} paths a pixel"
     return (f"**{row['name']}** · {described(row)}\n\n![Velarium, reference, error](images/accuracy/{row['name']}.jpg)\n\n"
-            f"{error}; {spread}. Left: {row['cause']}.\n\n")
+            f"{error}; {spread}. What is left: {row['cause']}.\n\n")
 
 
 def write_page(folder):
