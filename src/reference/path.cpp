@@ -27,6 +27,26 @@ float balance(float pdf, float other_pdf) {
   return 1.0f / (1.0f + ratio * ratio);
 }
 
+// A normal near `n` by whose mirror image of wo nothing is lost below the triangle: normals that are interpolated or
+// mapped may turn so far that the whole lobe points into the surface, which then would be black. `outside`: the side of
+// the triangle that wo is on. Where n mirrors wo too low it is bent towards `outside`, no farther than it must be.
+vec3 bent_normal(const vec3& n, const vec3& outside, const vec3& wo) {
+  constexpr float kLeastRise = 0.01f;  // sine of the mirrored direction over the triangle, where wo itself is higher
+  constexpr int kHalvings = 12;        // to 2^-12 of the way, under a step of an 8-bit normal map
+  const auto rise = [&](const vec3& h) {
+    return 2.0f * glm::dot(h, wo) * glm::dot(h, outside) - glm::dot(wo, outside);
+  };
+  const float least = std::min(kLeastRise, 0.9f * glm::dot(wo, outside));
+  if (rise(n) >= least) return n;
+  if (glm::dot(n, outside) < -0.99f) return outside;  // opposite ones have no mean
+  float low = 0.0f, high = 1.0f;  // shares of `outside`, by which wo is mirrored as high as it is
+  for (int i = 0; i < kHalvings; ++i) {
+    const float middle = 0.5f * (low + high);
+    (rise(glm::normalize(glm::mix(n, outside, middle))) < least ? low : high) = middle;
+  }
+  return glm::normalize(glm::mix(n, outside, high));
+}
+
 std::uint32_t hash_of(uvec2 pixel, std::uint32_t sample, std::uint32_t seed) {
   using shading::hash_u32;
   return hash_u32(pixel.x ^ hash_u32(pixel.y ^ hash_u32(sample ^ hash_u32(seed))));
@@ -136,7 +156,8 @@ PathTracer::Vertex PathTracer::vertex_at(const Path& path, const Hit& hit) const
   v.outside = v.front ? v.point.geometric_normal_ws : -v.point.geometric_normal_ws;
   v.cone_width_m = path.ray.cone_at(hit.distance);
   v.look = world_.materials.look(v.point, v.front, {v.cone_width_m, shading::hash_to_float(path.chance)});
-  const shading::Surface& s = v.look.surface;
+  shading::Surface& s = v.look.surface;
+  if (transport_.shadows) s.normal_ws = bent_normal(s.normal_ws, v.outside, v.wo);
   v.alpha = shading::alpha_from_smoothness(s.smoothness);
   if (transport_.multi_scatter) {
     const float n_dot_v = std::min(std::abs(glm::dot(s.normal_ws, v.wo)), 1.0f);
