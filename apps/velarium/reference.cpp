@@ -102,7 +102,10 @@ ReferenceResult Reference::trace(const Scene& scene) {
     progress.update(p.share);
     return take_interrupt() == 0;
   };
-  return render_reference(scene, request);
+  ReferenceResult result = render_reference(scene, request);
+  if (result.report.finished)
+    progress.update(1.0);  // limits may have ended it early, or it was over before it was asked
+  return result;
 }
 
 void Reference::write_timings(const ReferenceReport& report) const {

@@ -58,8 +58,7 @@ class Reader {
  public:
   explicit Reader(Session& session)
       : png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &session, on_error, on_warning)),
-        info_(png_ != nullptr ? png_create_info_struct(png_) : nullptr),
-        longest_chunk_(session.unread.size()) {
+        info_(png_ != nullptr ? png_create_info_struct(png_) : nullptr) {
     if (info_ == nullptr) throw Error(ErrorCode::temporary, "libpng: out of memory");
     png_set_read_fn(png_, &session, on_read);
   }
@@ -74,7 +73,6 @@ class Reader {
     static const png_byte kIgnored[] = "iCCP\0gAMA\0cHRM\0tEXt\0zTXt\0iTXt\0eXIf";
     png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, kIgnored, sizeof kIgnored / 5);
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // check_size() has seen the header
-    png_set_chunk_malloc_max(png_, longest_chunk_);
     png_read_info(png_, info_);
     png_set_expand(png_);
     if (bits == 8) png_set_scale_16(png_);
@@ -92,8 +90,6 @@ class Reader {
  private:
   png_structp png_;
   png_infop info_;
-  // libpng believes the length that a chunk claims, and asks for that much memory before it reads.
-  std::size_t longest_chunk_;
 };
 
 class Writer {
@@ -141,10 +137,25 @@ std::vector<png_bytep> row_pointers(Channel* rgba, Size size) {
   return rows;
 }
 
+// Each chunk is a length, a type, so many bytes, and a checksum (W3C PNG, 5.3). libpng believes the length, and asks
+// for that much memory before it reads.
+void check_chunks(Bytes data, const std::string& what) {
+  constexpr std::size_t kSignature = 8, kType = 4, kFraming = 12;
+  for (std::size_t at = kSignature; data.size() - at >= kFraming;) {
+    const std::uint32_t length = big_endian(data, at);
+    if (length > data.size() - at - kFraming)
+      invalid(what, fmt::format("PNG: the file ends in the chunk at byte {}, which claims {} bytes", at, length));
+    if (std::memcmp(data.data() + at + kType, "IEND", 4) == 0) return;
+    at += kFraming + length;
+  }
+  invalid(what, "PNG: the file ends without its last chunk, IEND");
+}
+
 template <class Image>
 Image read(Bytes data, const std::string& what, const Limits& limits) {
   const Size size = png_size(data, what);
   check_size(size, what, limits);
+  check_chunks(data, what);
   Image image{size.width, size.height, {}};
   reserve_on_huge_pages(image.rgba, channel_count(size));
   image.rgba.resize(channel_count(size));

@@ -123,6 +123,7 @@ class Reference(CliTest):
         *_, err = self.run_velarium("reference", "builtin:cornell", "--size", "160x90", "--spp", "16", "--progress", "json")
         lines = [json.loads(line) for line in err.splitlines() if line.startswith("{")]
         self.assertTrue(lines)
+        self.assertEqual(lines[-1]["share"], 1.0)
         for line in lines:
             self.assertTrue(0.0 <= line["share"] <= 1.0)
             self.assertGreaterEqual(line["seconds_left"], 0.0)

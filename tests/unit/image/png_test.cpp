@@ -94,6 +94,16 @@ TEST(PngDecode, ABadChecksumIsRefused) {
   expect_refused(ErrorCode::input_invalid, [&] { (void)decode(bytes(file), "test"); });
 }
 
+// Seen by the message alone: libpng itself refuses the file too, after it has asked for the memory.
+TEST(PngDecode, AChunkEndsWithinItsFile) {
+  std::string file = png(1, 1, {8, 0}, std::string("\0\x80", 2));
+  file.insert(33, "\x7f\xff\xff\xffprVt");  // after the header: a private chunk of 2 GiB
+  const Thrown thrown = thrown_by([&] { (void)decode(bytes(file), "test"); });
+  EXPECT_EQ(thrown.code, ErrorCode::input_invalid);
+  EXPECT_NE(thrown.message.find("the chunk at byte 33, which claims 2147483647 bytes"), std::string::npos)
+      << thrown.message;
+}
+
 TEST_F(Png, EightBitsComeBack) {
   for (const bool opaque : {false, true}) {
     const ByteImage image = test_bytes(37, 23, opaque);
