@@ -1,5 +1,7 @@
 #include "rows.hpp"
 
+#include "support/settings.hpp"
+
 #include <velarium/error.hpp>
 #include <velarium/options.hpp>
 
@@ -113,11 +115,7 @@ RenderRequest render_request(const Row& row) {
   request.environment = resolved(row.environment);
   request.want_display = false;
   request.settings.frame.spp = kFrames;
-  std::istringstream settings(row.settings);
-  for (std::string setting; settings >> setting;) {
-    const auto equals = setting.find('=');
-    set_option(request.settings, setting.substr(0, equals), setting.substr(equals + 1));
-  }
+  set_options(request.settings, row.settings);
   return request;
 }
 

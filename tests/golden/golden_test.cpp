@@ -4,10 +4,10 @@
 #include "support/device.hpp"
 #include "support/metric.hpp"
 #include "support/pictures.hpp"
+#include "support/settings.hpp"
 
 #include <velarium/error.hpp>
 #include <velarium/files.hpp>
-#include <velarium/options.hpp>
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 
 namespace velarium::test {
 namespace {
@@ -102,11 +101,7 @@ RenderRequest request_of(const Golden& golden) {
   request.background = golden.background;
   request.background_color = {0.2f, 0.4f, 0.6f};
   request.settings.display.dither = false;
-  std::istringstream options(golden.options);
-  for (std::string option; options >> option;) {
-    const auto equals = option.find('=');
-    set_option(request.settings, option.substr(0, equals), option.substr(equals + 1));
-  }
+  set_options(request.settings, golden.options);
   return request;
 }
 
