@@ -76,6 +76,16 @@ def run_process(command, folder, log):
     return {"seconds": seconds, "cpu_seconds": usage.ru_utime + usage.ru_stime, "peak_bytes": usage.ru_maxrss * 1024}
 
 
+def compared(velarium, picture, reference, folder):
+    """What `velarium compare` measures between two pictures."""
+    file = folder / "difference.json"
+    done = subprocess.run([velarium, "compare", picture, reference, "--threshold", "1e9", "--json", file, "-q"],
+                          capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise Skipped(f"compare: {done.stderr.strip()}")
+    return json.loads(file.read_text())["metrics"]
+
+
 def triple(text):
     values = [float(part) for part in text.split(",")]
     if len(values) != 3:

@@ -23,18 +23,19 @@ def text(value, pattern):
     return "-" if value is None else pattern.format(value)
 
 
-def markdown(runs_of, base="velarium"):
-    """A table with a row a peer, in their order; ratios are to `base`, where that was measured."""
+def markdown(runs_of, flip, base="velarium"):
+    """A table with a row a peer, in their order; ratios are to `base`, where that was measured. `flip` has some peers."""
     summaries = {peer: summary(runs) for peer, runs in runs_of.items()}
     to = summaries.get(base, {})
-    lines = [f"| renderer | process, s | of {base} | frame, ms | of {base} | peak memory, MB | of {base} |",
-             "|---|---|---|---|---|---|---|"]
+    lines = [f"| renderer | process, s | of {base} | frame, ms | of {base} | peak memory, MB | of {base} | FLIP |",
+             "|---|---|---|---|---|---|---|---|"]
     for peer, one in summaries.items():
         cells = [peer]
         for key, pattern, scale in (("seconds", "{:.2f}", 1), ("frame_ms", "{:.1f}", 1), ("peak_bytes", "{:.0f}", 1e-6)):
             value = one[key]
             cells.append(text(None if value is None else value * scale, pattern))
             cells.append(text(ratio(value, to.get(key)), "{:.2f}"))
+        cells.append(text(flip.get(peer), "{:.3f}"))
         lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines)
 

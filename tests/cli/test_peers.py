@@ -23,13 +23,14 @@ class Table(unittest.TestCase):
         self.assertIsNone(table.summary([run(1, 10)])["frame_ms"])
 
     def test_rows_hold_ratios_to_the_base(self):
-        rows = table.markdown({"velarium": [run(2, 100, 50)], "other": [run(5, 250)], "third": [run(1, 50, 25)]}).splitlines()
-        self.assertEqual(rows[2], "| velarium | 2.00 | 1.00 | 50.0 | 1.00 | 100 | 1.00 |")
-        self.assertEqual(rows[3], "| other | 5.00 | 2.50 | - | - | 250 | 2.50 |")
-        self.assertEqual(rows[4], "| third | 1.00 | 0.50 | 25.0 | 0.50 | 50 | 0.50 |")
+        rows = table.markdown({"velarium": [run(2, 100, 50)], "other": [run(5, 250)], "third": [run(1, 50, 25)]},
+                              {"velarium": 0.0514, "third": None}).splitlines()
+        self.assertEqual(rows[2], "| velarium | 2.00 | 1.00 | 50.0 | 1.00 | 100 | 1.00 | 0.051 |")
+        self.assertEqual(rows[3], "| other | 5.00 | 2.50 | - | - | 250 | 2.50 | - |")
+        self.assertEqual(rows[4], "| third | 1.00 | 0.50 | 25.0 | 0.50 | 50 | 0.50 | - |")
 
     def test_without_the_base_there_are_no_ratios(self):
-        self.assertEqual(table.markdown({"other": [run(5, 250)]}).splitlines()[2], "| other | 5.00 | - | - | - | 250 | - |")
+        self.assertEqual(table.markdown({"other": [run(5, 250)]}, {}).splitlines()[2], "| other | 5.00 | - | - | - | 250 | - | - |")
 
 
 class Speed(unittest.TestCase):
