@@ -57,6 +57,7 @@ upload::FrameUniforms picture_uniforms(const Job& job, const upload::LightRanges
   u.first_point = lights.first_point;
   u.first_spot = lights.first_spot;
   u.light_count = lights.count;
+  u.sun_light = lights.sun;
   u.seed = static_cast<std::uint32_t>(settings.frame.seed);
   return u;
 }

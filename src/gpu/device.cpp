@@ -106,6 +106,7 @@ void Device::create_device() {
                                            .features = {.robustBufferAccess = has.robustBufferAccess,
                                                         .imageCubeArray = VK_TRUE,
                                                         .independentBlend = VK_TRUE,
+                                                        .depthClamp = VK_TRUE,
                                                         .samplerAnisotropy = has.samplerAnisotropy}};
   const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
                                 .pNext = &features,

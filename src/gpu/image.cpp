@@ -62,24 +62,29 @@ Image::Image(Device& device, const ImageDesc& desc, VkImageUsageFlags usage, Til
   allocation_ = device.memory().allocate(needs, linear ? MemoryUse::upload : MemoryUse::device, linear);
   check(vkBindImageMemory(device.vk(), image_, allocation_.memory, allocation_.offset), "vkBindImageMemory");
 
-  const VkImageViewType type = desc.cube         ? VK_IMAGE_VIEW_TYPE_CUBE
-                               : desc.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY
-                                                 : VK_IMAGE_VIEW_TYPE_2D;
-  view_ = make_view(type, aspects(desc.format), 0, desc.mips);
+  const bool array = desc.array || desc.layers > 1;
+  const VkImageViewType flat = array ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
+  const VkImageViewType type = desc.cube ? VK_IMAGE_VIEW_TYPE_CUBE : flat;
+  const auto whole = [&](VkImageAspectFlags aspect) { return make_view(type, aspect, 0, desc.mips, 0, desc.layers); };
+  view_ = whole(aspects(desc.format));
   const bool sampled = (usage & VK_IMAGE_USAGE_SAMPLED_BIT) != 0;
-  if (sampled && has_depth(desc.format)) depth_view_ = make_view(type, VK_IMAGE_ASPECT_DEPTH_BIT, 0, desc.mips);
-  if (sampled && has_stencil(desc.format)) stencil_view_ = make_view(type, VK_IMAGE_ASPECT_STENCIL_BIT, 0, desc.mips);
-  if ((usage & VK_IMAGE_USAGE_STORAGE_BIT) != 0) {
-    const VkImageViewType store = desc.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
+  if (sampled && has_depth(desc.format)) depth_view_ = whole(VK_IMAGE_ASPECT_DEPTH_BIT);
+  if (sampled && has_stencil(desc.format)) stencil_view_ = whole(VK_IMAGE_ASPECT_STENCIL_BIT);
+  if ((usage & VK_IMAGE_USAGE_STORAGE_BIT) != 0)
     for (std::uint32_t mip = 0; mip < desc.mips; ++mip)
-      mip_views_.push_back(make_view(store, VK_IMAGE_ASPECT_COLOR_BIT, mip, 1));
-  }
+      mip_views_.push_back(make_view(flat, VK_IMAGE_ASPECT_COLOR_BIT, mip, 1, 0, desc.layers));
+  constexpr VkImageUsageFlags kDrawnTo =
+      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+  if ((usage & kDrawnTo) != 0 && desc.layers > 1)
+    for (std::uint32_t layer = 0; layer < desc.layers; ++layer)
+      layer_views_.push_back(make_view(VK_IMAGE_VIEW_TYPE_2D, aspects(desc.format), 0, 1, layer, 1));
 }
 
 Image::~Image() {
   if (image_ == VK_NULL_HANDLE) return;
   for (const VkImageView view : {view_, depth_view_, stencil_view_}) vkDestroyImageView(device_->vk(), view, nullptr);
-  for (const VkImageView view : mip_views_) vkDestroyImageView(device_->vk(), view, nullptr);
+  for (const auto* views : {&mip_views_, &layer_views_})
+    for (const VkImageView view : *views) vkDestroyImageView(device_->vk(), view, nullptr);
   vkDestroyImage(device_->vk(), image_, nullptr);
   device_->memory().free(allocation_);
 }
@@ -94,7 +99,8 @@ Image::Image(Image&& other) noexcept
       view_(other.view_),
       depth_view_(other.depth_view_),
       stencil_view_(other.stencil_view_),
-      mip_views_(std::move(other.mip_views_)) {}
+      mip_views_(std::move(other.mip_views_)),
+      layer_views_(std::move(other.layer_views_)) {}
 
 Image& Image::operator=(Image&& other) noexcept {
   Image moved(std::move(other));
@@ -108,6 +114,7 @@ Image& Image::operator=(Image&& other) noexcept {
   std::swap(depth_view_, moved.depth_view_);
   std::swap(stencil_view_, moved.stencil_view_);
   std::swap(mip_views_, moved.mip_views_);
+  std::swap(layer_views_, moved.layer_views_);
   return *this;
 }
 
@@ -119,13 +126,13 @@ Image::MappedRows Image::mapped_rows(std::uint32_t mip) const {
   return {allocation_.mapped + place.offset, static_cast<std::size_t>(place.rowPitch)};
 }
 
-VkImageView Image::make_view(VkImageViewType type, VkImageAspectFlags aspect, std::uint32_t mip,
-                             std::uint32_t mips) const {
+VkImageView Image::make_view(VkImageViewType type, VkImageAspectFlags aspect, std::uint32_t mip, std::uint32_t mips,
+                             std::uint32_t layer, std::uint32_t layers) const {
   const VkImageViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
                                    .image = image_,
                                    .viewType = type,
                                    .format = desc_.format,
-                                   .subresourceRange = {aspect, mip, mips, 0, desc_.layers}};
+                                   .subresourceRange = {aspect, mip, mips, layer, layers}};
   VkImageView view = VK_NULL_HANDLE;
   check(vkCreateImageView(device_->vk(), &info, nullptr, &view), "vkCreateImageView");
   return view;

@@ -9,7 +9,8 @@ namespace velarium::gpu {
 struct ImageDesc {
   VkFormat format = VK_FORMAT_UNDEFINED;
   std::uint32_t width = 1, height = 1, layers = 1, mips = 1;
-  bool cube = false;  // layers is then a multiple of 6
+  bool cube = false;   // layers is then a multiple of 6
+  bool array = false;  // an array to shaders even where it has one layer
   bool operator==(const ImageDesc&) const = default;
 };
 
@@ -52,6 +53,10 @@ class Image {
 
   // One mip as a 2-D array of all layers, to store to.
   [[nodiscard]] VkImageView mip_view(std::uint32_t mip) const { return mip_views_[mip]; }
+  // One layer of the full size, all aspects, to draw to. Images that are attachments have them.
+  [[nodiscard]] VkImageView layer_view(std::uint32_t layer) const {
+    return desc_.layers > 1 ? layer_views_[layer] : view_;
+  }
 
   // Where the host finds a mip of a linear image.
   struct MappedRows {
@@ -62,14 +67,15 @@ class Image {
 
  private:
   [[nodiscard]] VkImageView make_view(VkImageViewType type, VkImageAspectFlags aspect, std::uint32_t mip,
-                                      std::uint32_t mips) const;
+                                      std::uint32_t mips, std::uint32_t layer, std::uint32_t layers) const;
   Device* device_ = nullptr;
   ImageDesc desc_;
   VkImageUsageFlags usage_ = 0;
   VkImage image_ = VK_NULL_HANDLE;
   Allocation allocation_;
   VkImageView view_ = VK_NULL_HANDLE, depth_view_ = VK_NULL_HANDLE, stencil_view_ = VK_NULL_HANDLE;
-  std::vector<VkImageView> mip_views_;  // empty where the image is never stored to
+  std::vector<VkImageView> mip_views_;    // empty where the image is never stored to
+  std::vector<VkImageView> layer_views_;  // empty where the image has one layer, or is never drawn to
 };
 
 }  // namespace velarium::gpu

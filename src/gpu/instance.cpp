@@ -78,6 +78,7 @@ std::string missing_feature(VkPhysicalDevice device, std::uint32_t api_version) 
   if (!v13.synchronization2) return "it has no synchronization2";
   if (!features.features.imageCubeArray) return "it has no cube arrays";
   if (!features.features.independentBlend) return "it has no independent blending";
+  if (!features.features.depthClamp) return "it has no depth clamp";
   if (!has_graphics_and_compute_queue(device)) return "it has no queue for graphics and compute";
   VkFormatProperties depth{};
   vkGetPhysicalDeviceFormatProperties(device, VK_FORMAT_D32_SFLOAT_S8_UINT, &depth);

@@ -53,15 +53,34 @@ VkPipelineShaderStageCreateInfo stage_info(VkShaderStageFlagBits stage, const Mo
           .pSpecializationInfo = constants};
 }
 
+struct BlendFactors {
+  VkBlendFactor source, destination;
+};
+
+BlendFactors blend_factors(Blend blend) {
+  switch (blend) {
+    case Blend::none:
+      return {VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ZERO};
+    case Blend::premultiplied:
+      return {VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA};
+    case Blend::multiply:
+      return {VK_BLEND_FACTOR_ZERO, VK_BLEND_FACTOR_SRC_COLOR};
+    case Blend::add:
+      return {VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ONE};
+  }
+  return {VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ZERO};
+}
+
 VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
   constexpr VkColorComponentFlags kAll =
       VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
+  const auto [source, destination] = blend_factors(blend);
   return {.blendEnable = blend != Blend::none,
-          .srcColorBlendFactor = VK_BLEND_FACTOR_ONE,
-          .dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
+          .srcColorBlendFactor = source,
+          .dstColorBlendFactor = destination,
           .colorBlendOp = VK_BLEND_OP_ADD,
-          .srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE,
-          .dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA,
+          .srcAlphaBlendFactor = source,
+          .dstAlphaBlendFactor = destination,
           .alphaBlendOp = VK_BLEND_OP_ADD,
           .colorWriteMask = kAll};
 }
@@ -107,7 +126,9 @@ VkPipeline create_raster(Device& device, VkPipelineLayout layout,
       .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
   const VkPipelineRasterizationStateCreateInfo raster{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO,
+      .depthClampEnable = state.depth_clamp,
       .polygonMode = VK_POLYGON_MODE_FILL,
+      .depthBiasEnable = state.depth_bias,
       .lineWidth = 1.0f};
   const VkPipelineMultisampleStateCreateInfo multisample{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO, .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
@@ -116,8 +137,9 @@ VkPipeline create_raster(Device& device, VkPipelineLayout layout,
   const VkPipelineColorBlendStateCreateInfo blend{.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
                                                   .attachmentCount = static_cast<std::uint32_t>(targets.size()),
                                                   .pAttachments = targets.data()};
-  const std::array dynamic_states{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR, VK_DYNAMIC_STATE_CULL_MODE,
-                                  VK_DYNAMIC_STATE_FRONT_FACE, VK_DYNAMIC_STATE_STENCIL_REFERENCE};
+  const std::array dynamic_states{VK_DYNAMIC_STATE_VIEWPORT,   VK_DYNAMIC_STATE_SCISSOR,
+                                  VK_DYNAMIC_STATE_CULL_MODE,  VK_DYNAMIC_STATE_FRONT_FACE,
+                                  VK_DYNAMIC_STATE_DEPTH_BIAS, VK_DYNAMIC_STATE_STENCIL_REFERENCE};
   const VkPipelineDynamicStateCreateInfo dynamic{.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
                                                  .dynamicStateCount = static_cast<std::uint32_t>(dynamic_states.size()),
                                                  .pDynamicStates = dynamic_states.data()};
@@ -164,13 +186,17 @@ Pipeline Pipeline::compute(Device& device, Spirv shader, const Specialization& c
 
 Pipeline Pipeline::raster(Device& device, Spirv vertex, Spirv fragment, const RasterState& state) {
   Pipeline result(device, VK_PIPELINE_BIND_POINT_GRAPHICS);
-  const std::array reflections{reflect(vertex), reflect(fragment)};
+  std::vector<Reflection> reflections{reflect(vertex)};
+  if (!fragment.empty()) reflections.push_back(reflect(fragment));
   result.make_layout(reflections, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
   const Module vertex_module(device.vk(), vertex);
-  const Module fragment_module(device.vk(), fragment);
+  std::vector stages{stage_info(VK_SHADER_STAGE_VERTEX_BIT, vertex_module, nullptr)};
+  std::optional<Module> fragment_module;
   const SpecializationInfo specialization(state.fragment_constants);
-  const std::array stages{stage_info(VK_SHADER_STAGE_VERTEX_BIT, vertex_module, nullptr),
-                          stage_info(VK_SHADER_STAGE_FRAGMENT_BIT, fragment_module, specialization.get())};
+  if (!fragment.empty()) {
+    fragment_module.emplace(device.vk(), fragment);
+    stages.push_back(stage_info(VK_SHADER_STAGE_FRAGMENT_BIT, *fragment_module, specialization.get()));
+  }
   result.pipeline_ = create_raster(device, result.layout_, stages, state);
   return result;
 }

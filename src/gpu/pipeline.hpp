@@ -31,9 +31,14 @@ struct VertexBinding {
   bool operator==(const VertexBinding&) const = default;
 };
 
-enum class Blend { none, premultiplied };
+enum class Blend {
+  none,
+  premultiplied,  // new + (1 - new.a) old
+  multiply,       // new old
+  add,            // new + old
+};
 
-// Viewport, scissor, cull mode, front face and stencil reference are always dynamic. Depth is reversed-Z.
+// Viewport, scissor, cull mode, front face, stencil reference and depth bias are always dynamic. Depth is reversed-Z.
 struct RasterState {
   std::vector<VertexBinding> vertex_bindings;
   std::vector<VertexAttribute> vertex_attributes;
@@ -41,6 +46,8 @@ struct RasterState {
   std::vector<VkFormat> color_formats;
   VkFormat depth_format = VK_FORMAT_UNDEFINED;
   bool depth_write = true;
+  bool depth_clamp = false;    // what stands before the near plane is drawn on it, rather than cut off
+  bool depth_bias = false;     // by vkCmdSetDepthBias
   bool write_stencil = false;  // the dynamic reference replaces the stencil where a fragment passes
   Blend blend = Blend::none;   // of every colour target
   Specialization fragment_constants;
@@ -51,6 +58,7 @@ struct RasterState {
 class Pipeline {
  public:
   static Pipeline compute(Device& device, Spirv shader, const Specialization& constants = {});
+  // `fragment`: empty where depth alone is drawn.
   static Pipeline raster(Device& device, Spirv vertex, Spirv fragment, const RasterState& state);
   ~Pipeline();
   Pipeline(Pipeline&& other) noexcept;

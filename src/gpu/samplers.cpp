@@ -22,6 +22,8 @@ VkSampler SamplerCache::get(const SamplerDesc& desc) {
                                  .mipLodBias = desc.lod_bias,
                                  .anisotropyEnable = desc.anisotropy > 1.0f,
                                  .maxAnisotropy = desc.anisotropy,
+                                 .compareEnable = desc.compare,
+                                 .compareOp = VK_COMPARE_OP_GREATER_OR_EQUAL,
                                  .maxLod = max_lod};
   VkSampler sampler = VK_NULL_HANDLE;
   check(vkCreateSampler(device_.vk(), &info, nullptr, &sampler), "vkCreateSampler");

@@ -13,6 +13,7 @@ struct SamplerDesc {
   bool mipmapped = true;
   float anisotropy = 1.0f;
   float lod_bias = 0.0f;
+  bool compare = false;  // of reversed depth: 1 where the reference is at or before what is stored, filtered
   auto operator<=>(const SamplerDesc&) const = default;
 };
 

@@ -6,9 +6,9 @@ namespace {
 constexpr gpu::SamplerDesc kNearest{
     .mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST, .mip = VK_SAMPLER_MIPMAP_MODE_NEAREST};
 
-VkRenderingAttachmentInfo color_attachment(const gpu::Image& image, bool clear) {
+VkRenderingAttachmentInfo color_attachment(const gpu::Image& image, std::uint32_t layer, bool clear) {
   return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-          .imageView = image.view(),
+          .imageView = image.layer_view(layer),
           .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
           .loadOp = clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD,
           .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
@@ -16,11 +16,15 @@ VkRenderingAttachmentInfo color_attachment(const gpu::Image& image, bool clear) 
 
 VkRenderingAttachmentInfo depth_attachment(const gpu::Image& image, const RenderTargets& targets) {
   return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-          .imageView = image.view(),
+          .imageView = image.layer_view(targets.layer),
           .imageLayout = targets.depth_writable ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
                                                 : VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL,
           .loadOp = targets.clear_depth ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD,
           .storeOp = targets.depth_writable ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_NONE};
+}
+
+VkRect2D rect(const Area& area) {
+  return {{static_cast<std::int32_t>(area.x), static_cast<std::int32_t>(area.y)}, {area.width, area.height}};
 }
 
 }  // namespace
@@ -51,7 +55,8 @@ void Context::dispatch(std::uint32_t width, std::uint32_t height, std::uint32_t 
 
 void Context::begin_rendering(const RenderTargets& targets) const {
   std::vector<VkRenderingAttachmentInfo> colors;
-  for (const auto& color : targets.colors) colors.push_back(color_attachment(image(color.image), color.clear));
+  for (const auto& color : targets.colors)
+    colors.push_back(color_attachment(image(color.image), targets.layer, color.clear));
   const bool has_depth = targets.depth.version != 0;
   VkRenderingAttachmentInfo depth{};
   if (has_depth) depth = depth_attachment(image(targets.depth), targets);
@@ -66,9 +71,25 @@ void Context::begin_rendering(const RenderTargets& targets) const {
                              .pDepthAttachment = has_depth ? &depth : nullptr,
                              .pStencilAttachment = has_stencil ? &depth : nullptr};
   vkCmdBeginRendering(commands_, &info);
-  const VkViewport viewport{0.0f, 0.0f, static_cast<float>(size.width), static_cast<float>(size.height), 0.0f, 1.0f};
+  set_area({0, 0, size.width, size.height});
+}
+
+void Context::set_area(const Area& area) const {
+  const VkViewport viewport{static_cast<float>(area.x),
+                            static_cast<float>(area.y),
+                            static_cast<float>(area.width),
+                            static_cast<float>(area.height),
+                            0.0f,
+                            1.0f};
+  const VkRect2D scissor = rect(area);
   vkCmdSetViewport(commands_, 0, 1, &viewport);
-  vkCmdSetScissor(commands_, 0, 1, &info.renderArea);
+  vkCmdSetScissor(commands_, 0, 1, &scissor);
+}
+
+void Context::clear_depth(const Area& area) const {
+  const VkClearAttachment clear{.aspectMask = VK_IMAGE_ASPECT_DEPTH_BIT};
+  const VkClearRect where{rect(area), 0, 1};
+  vkCmdClearAttachments(commands_, 1, &clear, 1, &where);
 }
 
 void Context::end_rendering() const {
@@ -79,7 +100,7 @@ SetWriter& SetWriter::sampled(std::uint32_t binding, GraphImage handle, const gp
   const auto& image = context_.image(handle);
   const bool depth = gpu::has_depth(image.desc().format);
   bindings_.sampled(binding, depth ? image.depth_view() : image.view(),
-                    context_.tools().samplers.get(depth ? kNearest : sampler),
+                    context_.tools().samplers.get(depth && !sampler.compare ? kNearest : sampler),
                     access_info(Access::compute_sample, depth).layout);
   return *this;
 }

@@ -15,11 +15,17 @@ struct ColorTarget {
   bool clear = false;  // to zero; else loaded
 };
 
+// Part of the targets, pixels from their upper left corner.
+struct Area {
+  std::uint32_t x = 0, y = 0, width = 0, height = 0;
+};
+
 struct RenderTargets {
   std::vector<ColorTarget> colors;
   GraphImage depth;          // version 0: none
   bool clear_depth = false;  // to 0, the far plane of reversed-Z; stencil to 0
   bool depth_writable = true;
+  std::uint32_t layer = 0;  // of all targets
 };
 
 class SetWriter;
@@ -51,6 +57,10 @@ class Context {
 
   // Between these, draws go to the targets, with viewport and scissor set to their whole size.
   void begin_rendering(const RenderTargets& targets) const;
+  // Draws go to this part alone, from here on.
+  void set_area(const Area& area) const;
+  // Clears the depth of this part to the far plane.
+  void clear_depth(const Area& area) const;
   void end_rendering() const;
 
  private:
@@ -65,7 +75,8 @@ class SetWriter {
   SetWriter(const Context& context, const gpu::Pipeline& pipeline, std::uint32_t set)
       : context_(context), pipeline_(pipeline), set_(set) {}
 
-  // The depth of a depth image, the colour of any other. Default sampler: linear, clamped.
+  // The depth of a depth image, the colour of any other. Default sampler: linear, clamped; depth is never filtered,
+  // but by comparison.
   SetWriter& sampled(std::uint32_t binding, GraphImage image, const gpu::SamplerDesc& sampler = {});
   SetWriter& stencil(std::uint32_t binding, GraphImage image);
   SetWriter& storage(std::uint32_t binding, GraphImage image);

@@ -171,6 +171,7 @@ struct Light {                      // KHR_lights_punctual: shines along -Z of i
   glm::vec3 color{1.0f};
   float intensity = 1.0f;           // lux (directional) or candela
   float range = 0.0f;               // metres; 0: infinite
+  bool casts_shadow = true;         // extras.casts_shadow
   float radius = 0.0f;              // of a bulb whose light this is, metres; 0: a point. From extras.radius
   float inner_cone = 0.0f, outer_cone = 0.7853982f;  // radians from the axis
 };

@@ -9,20 +9,33 @@ const float kLightDirectional = 0.0f;
 const float kLightPoint = 1.0f;
 const float kLightSpot = 2.0f;
 
+// GpuLight::cone.w
+const float kFalloffInverseSquare = 0.0f;  // KHR_lights_punctual
+const float kFalloffBulb = 1.0f;           // [Schulz 2014]
+
+const uint kLightCastsShadow = 1u;  // GpuLight::flags
+
 // The radius of a light without an end: beyond every scene, yet its square is finite in fp32.
 const float kUnboundedRadius = 1e18f;
 
-// A punctual light of KHR_lights_punctual.
+// A lamp: KHR_lights_punctual, and what the scene's extras add.
 struct GpuLight {
   vec4 position_range;  // xyz: world axes, metres, relative to the eye; w: range in metres, 0 without end
   vec4 direction;       // xyz: unit, where the light shines to (directional, spot); w: kLightDirectional, ...
   vec4 color;           // rgb: colour times intensity, lux (directional) or candela; w: radius of the bulb in metres, 0: a point
-  vec4 cone;            // spot: xy: spot_scale_offset(), z: cosine of the outer angle; w: unused, 0
+  vec4 cone;            // spot: xy: spot_scale_offset(), z: cosine of the outer angle; w: kFalloffInverseSquare, ...
+  vec4 projector;       // xyz: unit, where +u of the projected picture goes, at right angles to direction; w: tangent of half its field of view
+  uint shadow_view;     // 1 + the first of the light's views in the shadow atlas, 0: none
+  uint projector_layer; // 1 + the layer of the projected picture, 0: none
+  uint clip_volume;     // 1 + the volume that the light ends at, 0: none
+  uint flags;           // kLightCastsShadow
 };
 CHECK_LAYOUT(GpuLight, position_range, 0);
 CHECK_LAYOUT(GpuLight, direction, 16);
 CHECK_LAYOUT(GpuLight, color, 32);
 CHECK_LAYOUT(GpuLight, cone, 48);
+CHECK_LAYOUT(GpuLight, projector, 64);
+CHECK_LAYOUT(GpuLight, shadow_view, 80);
 
 struct LightSample {
   vec3 wi;          // unit, from the point towards the light

@@ -18,16 +18,6 @@ struct Candidate {
   auto state() const { return std::tuple(instance->primitive, instance->deformed, material, instance->mirrored); }
 };
 
-ObjectData object_data(const scene::Instance& instance, const glm::dvec3& eye) {
-  const glm::mat4& m = instance.world_from_object;
-  ObjectData data{};
-  for (int row = 0; row < 3; ++row) {
-    const auto translation = static_cast<float>(static_cast<double>(m[3][row]) - eye[row]);
-    data.world_from_object[row] = {m[0][row], m[1][row], m[2][row], translation};
-  }
-  return data;
-}
-
 // Appends a draw for each run of candidates that share their state.
 void add_draws(const std::vector<Candidate>& candidates, const glm::dvec3& eye, std::vector<ObjectData>& objects,
                std::vector<Draw>& draws) {
@@ -68,8 +58,18 @@ Frustum frustum_of(const glm::dmat4& clip_from_world) {
   return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[3] - rows[2]};
 }
 
-bool overlaps(const Frustum& frustum, const scene::Aabb& box) {
-  for (const auto& plane : frustum) {
+ObjectData object_data(const scene::Instance& instance, const glm::dvec3& eye) {
+  const glm::mat4& m = instance.world_from_object;
+  ObjectData data{};
+  for (int row = 0; row < 3; ++row) {
+    const auto translation = static_cast<float>(static_cast<double>(m[3][row]) - eye[row]);
+    data.world_from_object[row] = {m[0][row], m[1][row], m[2][row], translation};
+  }
+  return data;
+}
+
+bool overlaps(std::span<const glm::dvec4> planes, const scene::Aabb& box) {
+  for (const auto& plane : planes) {
     const glm::dvec3 farthest(plane.x > 0 ? box.max.x : box.min.x, plane.y > 0 ? box.max.y : box.min.y,
                               plane.z > 0 ? box.max.z : box.min.z);
     if (glm::dot(glm::dvec3(plane), farthest) + plane.w < 0.0) return false;

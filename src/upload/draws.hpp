@@ -4,6 +4,7 @@
 #include "upload/gpu_structs.hpp"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace velarium::upload {
@@ -30,7 +31,11 @@ using Frustum = std::array<glm::dvec4, 5>;  // left, right, lower, upper, near
 // `clip_from_world` in the scene's own world space.
 [[nodiscard]] Frustum frustum_of(const glm::dmat4& clip_from_world);
 
-[[nodiscard]] bool overlaps(const Frustum& frustum, const scene::Aabb& box);
+// May a part of the box be inside all planes? Never wrong where it says no.
+[[nodiscard]] bool overlaps(std::span<const glm::dvec4> planes, const scene::Aabb& box);
+
+// What shaders know of an instance.
+[[nodiscard]] ObjectData object_data(const scene::Instance& instance, const glm::dvec3& eye);
 
 // Drops what is outside the frustum, sorts, joins neighbours that differ in their matrix alone, and makes matrices
 // relative to the eye.

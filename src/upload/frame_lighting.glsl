@@ -84,7 +84,8 @@ uint tile_light_word(uint word, uint first, uint end) {
   return tile_light_word(word) & from & to;
 }
 
-vec3 reflected(ShadingPoint p, LightSample light) {
+// What of a lamp's light goes towards the eye.
+vec3 reflected(ShadingPoint p, GpuLight l, LightSample light) {
   float alpha = max(p.alpha, kMinAlphaPunctual);
   return evaluate_brdf(p.surface, alpha, p.wo, light.wi, p.specular_scale, kModel) * light.irradiance;
 }
@@ -98,7 +99,8 @@ vec3 punctual_lights(ShadingPoint p, FrameUniforms frame) {
   if (frame.first_point > 0u) do {
       uint bits = tile_light_word(word, 0u, frame.first_point);
       if (bits != 0u) do {
-          sum += reflected(p, sample_directional(lights[word * 32u + uint(findLSB(bits))]));
+          GpuLight l = lights[word * 32u + uint(findLSB(bits))];
+          sum += reflected(p, l, sample_directional(l));
           bits &= bits - 1u;
         } while (bits != 0u);
     } while (++word * 32u < frame.first_point);
@@ -107,7 +109,8 @@ vec3 punctual_lights(ShadingPoint p, FrameUniforms frame) {
   if (frame.first_spot > frame.first_point) do {
       uint bits = tile_light_word(word, frame.first_point, frame.first_spot);
       if (bits != 0u) do {
-          sum += reflected(p, sample_point(lights[word * 32u + uint(findLSB(bits))], p.position_ws));
+          GpuLight l = lights[word * 32u + uint(findLSB(bits))];
+          sum += reflected(p, l, sample_point(l, p.position_ws));
           bits &= bits - 1u;
         } while (bits != 0u);
     } while (++word * 32u < frame.first_spot);
@@ -116,7 +119,8 @@ vec3 punctual_lights(ShadingPoint p, FrameUniforms frame) {
   if (frame.light_count > frame.first_spot) do {
       uint bits = tile_light_word(word, frame.first_spot, frame.light_count);
       if (bits != 0u) do {
-          sum += reflected(p, sample_spot(lights[word * 32u + uint(findLSB(bits))], p.position_ws));
+          GpuLight l = lights[word * 32u + uint(findLSB(bits))];
+          sum += reflected(p, l, sample_spot(l, p.position_ws));
           bits &= bits - 1u;
         } while (bits != 0u);
     } while (++word * 32u < frame.light_count);

@@ -2,6 +2,7 @@
 
 #include "gpu/toolbox.hpp"
 #include "scene/moment.hpp"
+#include "upload/casters.hpp"
 #include "upload/draws.hpp"
 #include "upload/lights.hpp"
 #include "upload/textures.hpp"
@@ -53,9 +54,11 @@ class GpuScene {
 struct SceneTables {
   const GpuScene* gpu = nullptr;
   DrawList draws;
-  gpu::Buffer objects;       // ObjectData
-  gpu::Buffer lights;        // GpuLight
-  gpu::Buffer light_bounds;  // view space spheres
+  gpu::Buffer objects;         // ObjectData
+  CasterTable casters;         // empty where no light casts shadows
+  gpu::Buffer caster_objects;  // ObjectData
+  gpu::Buffer lights;          // GpuLight
+  gpu::Buffer light_bounds;    // view space spheres
   LightRanges light_ranges;
   gpu::Buffer frame;  // FrameUniforms, mapped: rewritten before each frame
   float texture_lod_bias = 0.0f;

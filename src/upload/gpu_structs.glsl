@@ -6,6 +6,8 @@
 #include "shading/lang.glsl"
 #include "shading/lights.glsl"
 
+const uint kNoSun = 0xffffffffu;
+
 // One frame: the camera, the surroundings, the noise.
 struct FrameUniforms {
   mat4 clip_from_world;   // with this frame's sub-pixel jitter
@@ -22,7 +24,7 @@ struct FrameUniforms {
   uint frame_index;
   uint seed;
   float perspective;      // 1: perspective, 0: orthographic
-  uint unused0;
+  uint sun_light;         // the directional light that casts shadows; kNoSun where none does
   uint unused1;
 };
 CHECK_LAYOUT(FrameUniforms, ndc_to_view, 128);

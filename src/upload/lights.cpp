@@ -18,6 +18,18 @@ float gpu_kind(scene::LightKind kind) {
   return shading::kLightPoint;
 }
 
+std::uint32_t sun_of(const std::vector<GpuLight>& lights) {
+  std::uint32_t sun = kNoSun;
+  float brightest = 0.0f;
+  for (std::uint32_t i = 0; i < lights.size() && shading::is_directional(lights[i]); ++i) {
+    const float lux = shading::luminance(glm::vec3(lights[i].color));
+    if ((lights[i].flags & shading::kLightCastsShadow) == 0 || lux <= brightest) continue;
+    sun = i;
+    brightest = lux;
+  }
+  return sun;
+}
+
 glm::vec4 bounding_sphere(const GpuLight& light) {
   const float radius = shading::light_cull_radius(light);
   const glm::vec3 position(light.position_range);
@@ -34,7 +46,8 @@ std::vector<GpuLight> gpu_lights(const std::vector<scene::LightInstance>& lights
     result.push_back({.position_range = glm::vec4(glm::vec3(glm::dvec3(position) - eye), light.range),
                       .direction = glm::vec4(direction, gpu_kind(light.kind)),
                       .color = glm::vec4(light.color * light.intensity, light.radius),
-                      .cone = {cone.x, cone.y, std::cos(light.outer_cone), 0.0f}});
+                      .cone = {cone.x, cone.y, std::cos(light.outer_cone), shading::kFalloffInverseSquare},
+                      .flags = light.casts_shadow ? shading::kLightCastsShadow : 0u});
   }
   std::stable_sort(result.begin(), result.end(),
                    [](const GpuLight& a, const GpuLight& b) { return a.direction.w < b.direction.w; });
@@ -47,7 +60,8 @@ LightRanges light_ranges(const std::vector<GpuLight>& lights) {
                                             [&](const GpuLight& light) { return light.direction.w < kind; });
     return static_cast<std::uint32_t>(first - lights.begin());
   };
-  return {begin_of(shading::kLightPoint), begin_of(shading::kLightSpot), static_cast<std::uint32_t>(lights.size())};
+  return {begin_of(shading::kLightPoint), begin_of(shading::kLightSpot), static_cast<std::uint32_t>(lights.size()),
+          sun_of(lights)};
 }
 
 std::vector<glm::vec4> light_bounds(const std::vector<GpuLight>& lights, const glm::mat3& view_from_world) {

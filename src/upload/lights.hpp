@@ -10,6 +10,7 @@ namespace velarium::upload {
 // Where each kind begins in a table of lights.
 struct LightRanges {
   std::uint32_t first_point = 0, first_spot = 0, count = 0;
+  std::uint32_t sun = kNoSun;  // the brightest directional light that casts shadows
 };
 
 // Lights as shaders read them, relative to the eye: directional ones, then points, then spots, each in the order of the

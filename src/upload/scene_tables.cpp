@@ -8,6 +8,8 @@
 #include <fmt/core.h>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
+
 namespace velarium::upload {
 namespace {
 
@@ -56,6 +58,10 @@ SceneTables make_scene_tables(gpu::Device& device, const GpuScene& scene, const 
     throw Error(ErrorCode::unsupported, scene.scene().source,
                 fmt::format("{} lights shine; a picture takes {} at most", lights.size(), kMaxLights));
   tables.light_ranges = light_ranges(lights);
+  if (std::any_of(lights.begin(), lights.end(),
+                  [](const GpuLight& light) { return (light.flags & shading::kLightCastsShadow) != 0; }))
+    tables.casters = make_casters(scene.scene(), moment, view.eye);
+  tables.caster_objects = make_buffer(device, tables.casters.objects, kStorage);
   tables.light_bounds = make_buffer(device, light_bounds(lights, view.view_from_world), kStorage);
   tables.lights = make_buffer(device, lights, kStorage);
   tables.frame = gpu::Buffer(device, sizeof(FrameUniforms), kStorage, gpu::MemoryUse::upload);

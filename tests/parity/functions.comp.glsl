@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "shading/brdf.glsl"
+#include "shading/display.glsl"
 #include "shading/environment.glsl"
 #include "shading/gbuffer.glsl"
 #include "shading/lights.glsl"

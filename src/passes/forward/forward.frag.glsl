@@ -6,7 +6,7 @@
 #include "upload/material.glsl"
 #include "upload/frame_lighting.glsl"
 
-layout(constant_id = 6) const uint kLights = 1u;   // 0: the scene has none
+layout(constant_id = 20) const uint kLights = 1u;   // 0: the scene has none
 
 layout(set = 1, binding = 3, std430) readonly buffer TileBuffer { uint forward_lists[]; };
 

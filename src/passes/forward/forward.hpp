@@ -10,7 +10,7 @@ struct Inputs {
   const gpu::Image& environment;  // cube of pre-convolved levels
   const gpu::Image& irradiance;   // cube of irradiance / pi
   const gpu::Image& brdf_table;
-  gpu::Specialization shading_constants;  // constants 0..5 of upload/frame_lighting.glsl
+  gpu::Specialization shading_constants;  // of upload/frame_lighting.glsl, kSharedConstants of them
   graph::GraphImage depth, hdr;
   graph::GraphBuffer forward_lists;  // version 0: the scene has no light
 };

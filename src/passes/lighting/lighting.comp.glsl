@@ -10,7 +10,7 @@
 #include "upload/gpu_structs.glsl"
 
 // Threads that share a tile, a divisor of its 256 pixels: see lighting.cpp.
-layout(local_size_x_id = 9) in;
+layout(local_size_x_id = 23) in;
 
 layout(set = 0, binding = 0, std430) readonly buffer FrameBuffer { FrameUniforms frame; };
 layout(set = 0, binding = 1) uniform sampler2D rt0;
@@ -25,9 +25,9 @@ layout(set = 0, binding = 9, std430) writeonly buffer TileBuffer { uint forward_
 
 #include "upload/frame_lighting.glsl"
 
-layout(constant_id = 6) const uint kTiled = 1u;          // 0: every light at every pixel
-layout(constant_id = 7) const uint kForwardLists = 0u;   // 1: write the lists that transparent surfaces need
-layout(constant_id = 8) const uint kLights = 1u;         // 0: the scene has none
+layout(constant_id = 20) const uint kTiled = 1u;          // 0: every light at every pixel
+layout(constant_id = 21) const uint kForwardLists = 0u;   // 1: write the lists that transparent surfaces need
+layout(constant_id = 22) const uint kLights = 1u;         // 0: the scene has none
 
 shared uint tile_min, tile_max;      // bits of positive floats, which order as the floats do
 shared uint tile_depth_mask;

@@ -31,9 +31,13 @@ gpu::Specialization shading_constants(const Settings& settings, const Environmen
   const bool ryse = settings.model == ShadingModel::ryse;
   // Compensation would undo the darkening that Ryse's visibility term is meant to have.
   const bool multi_scatter = settings.multi_scatter && !ryse;
-  return {0u,
-          ryse ? shading::kModelRyse : shading::kModelGltf, multi_scatter ? 1u : 0u, settings.occlusion ? 1u : 0u,
-          environment.present ? 1u : 0u, environment.diffuse == DiffuseEnvironment::sh ? 1u : 0u};
+  gpu::Specialization constants(kSharedConstants);
+  constants[1] = ryse ? shading::kModelRyse : shading::kModelGltf;
+  constants[2] = multi_scatter ? 1u : 0u;
+  constants[3] = settings.occlusion ? 1u : 0u;
+  constants[4] = environment.present ? 1u : 0u;
+  constants[5] = environment.diffuse == DiffuseEnvironment::sh ? 1u : 0u;
+  return constants;
 }
 
 Outputs add(graph::Graph& graph, const Inputs& in, const Settings& settings) {
@@ -42,12 +46,14 @@ Outputs add(graph::Graph& graph, const Inputs& in, const Settings& settings) {
   for (const auto image : {in.rt0, in.rt1, in.rt2, in.depth}) pass.read(image, Access::compute_sample);
   Outputs out{.hdr = pass.write(in.hdr, Access::compute_storage)};
   const auto size = graph.desc(in.hdr);
-  const auto list_buffer = pass.write(graph.buffer("forward_lists", lists ? list_bytes(size, in.scene.light_ranges.count) : 4),
-                                      Access::compute_storage);
+  const auto list_buffer =
+      pass.write(graph.buffer("forward_lists", lists ? list_bytes(size, in.scene.light_ranges.count) : 4),
+                 Access::compute_storage);
   if (lists) out.forward_lists = list_buffer;
 
   auto constants = shading_constants(settings, in.environment);
-  constants.insert(constants.end(), {settings.tiled ? 1u : 0u, lists ? 1u : 0u, in.scene.light_ranges.count > 0 ? 1u : 0u});
+  constants.insert(constants.end(),
+                   {settings.tiled ? 1u : 0u, lists ? 1u : 0u, in.scene.light_ranges.count > 0 ? 1u : 0u});
   pass.run([in, out, list_buffer, size, constants](graph::Context& c) {
     auto with_threads = constants;
     with_threads.push_back(c.tools().device.caps().host_is_device ? kThreadsOnHost : kThreads);

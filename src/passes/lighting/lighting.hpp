@@ -33,7 +33,10 @@ struct Outputs {
 // Lights a tile's list holds at the most. More lights than that are refused by the frame.
 [[nodiscard]] Outputs add(graph::Graph& graph, const Inputs& in, const Settings& settings);
 
-// Constants 0..5 of upload/frame_lighting.glsl (0 belongs to the material), which the forward pass shares.
+// How many constants, from 0 on, upload/frame_lighting.glsl may have; those of a pass of its own follow.
+inline constexpr std::size_t kSharedConstants = 20;
+
+// Those constants (0 belongs to the material), which the forward pass shares.
 [[nodiscard]] gpu::Specialization shading_constants(const Settings& settings, const Environment& environment);
 
 }  // namespace velarium::lighting

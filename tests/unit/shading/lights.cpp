@@ -87,7 +87,7 @@ TEST(Lights, Spot) {
   EXPECT_NEAR(sample_light(spot, vec3(0, 1, 0)).irradiance.x, 0.5f, 1e-6);
   EXPECT_EQ(sample_light(spot, vec3(2, 1, 0)).irradiance, vec3(0.0f));
   EXPECT_EQ(sample_light(spot, vec3(0, 5, 0)).irradiance, vec3(0.0f));
-  EXPECT_EQ(sizeof(GpuLight), 64u);
+  EXPECT_EQ(sizeof(GpuLight), 96u);
 }
 
 }  // namespace

@@ -1,0 +1,138 @@
+#include "upload/casters.hpp"
+
+#include "upload/draw_scene.hpp"
+#include "upload/gpu_scene.hpp"
+#include "upload/materials.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace velarium::upload {
+namespace {
+
+constexpr std::uint32_t kVertex[] =
+#include "shaders/caster.vert.inc"
+    ;
+constexpr std::uint32_t kTexturedVertex[] =
+#include "shaders/caster_textured.vert.inc"
+    ;
+constexpr std::uint32_t kCutoutFragment[] =
+#include "shaders/caster_cutout.frag.inc"
+    ;
+
+constexpr std::uint32_t kFrameSet = 0, kMaterialSet = 2;
+
+CasterKind kind_of(scene::AlphaMode mode) {
+  switch (mode) {
+    case scene::AlphaMode::opaque:
+      return CasterKind::opaque;
+    case scene::AlphaMode::mask:
+      return CasterKind::cutout;
+    case scene::AlphaMode::blend:
+      return CasterKind::translucent;
+  }
+  return CasterKind::opaque;
+}
+
+auto state_of(const Draw& draw) {
+  return std::tuple(draw.primitive, draw.deformed, draw.material, draw.mirrored);
+}
+
+gpu::RasterState raster_state(const CasterView& view, const scene::Primitive& primitive,
+                              const scene::Material& material, CasterKind kind) {
+  gpu::RasterState state = view.state;
+  state.topology = vulkan_topology(primitive.topology);
+  state.vertex_bindings = vertex_bindings();
+  state.vertex_attributes = vertex_attributes();
+  // Only what the vertex shader reads: the rest would be fetched for nothing.
+  std::erase_if(state.vertex_attributes, [&](const gpu::VertexAttribute& attribute) {
+    return attribute.location == 1 || attribute.location == 2 || (kind == CasterKind::opaque && attribute.location > 0);
+  });
+  if (kind != CasterKind::opaque) state.fragment_constants = {slot_mask(material) & 1u << kSlotBaseColor};
+  return state;
+}
+
+const gpu::Pipeline& pipeline_of(gpu::Toolbox& tools, const CasterView& view, const scene::Primitive& primitive,
+                                 const scene::Material& material, CasterKind kind) {
+  const auto state = raster_state(view, primitive, material, kind);
+  if (kind == CasterKind::opaque) return tools.pipelines.raster(kVertex, {}, state);
+  return tools.pipelines.raster(kTexturedVertex, kCutoutFragment, state);
+}
+
+// Binds descriptor sets to one command buffer.
+struct Binder {
+  gpu::Toolbox& tools;
+  VkCommandBuffer commands;
+  void set(const gpu::Pipeline& pipeline, std::uint32_t index, const gpu::Bindings& bindings) const {
+    const VkDescriptorSet descriptors = tools.descriptors.make(pipeline, index, bindings);
+    vkCmdBindDescriptorSets(commands, pipeline.bind_point(), pipeline.layout(), index, 1, &descriptors, 0, nullptr);
+  }
+};
+
+}  // namespace
+
+CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& eye) {
+  std::vector<std::pair<Caster, const scene::Instance*>> sorted;
+  for (const auto& instance : moment.instances) {
+    const auto& primitive = scene.primitives[instance.primitive];
+    if (instance.bounds.empty() || primitive.topology != scene::Topology::triangles) continue;
+    const auto& material = material_or_default(scene, primitive.material);
+    sorted.push_back({{instance.bounds,
+                       {.primitive = instance.primitive,
+                        .deformed = instance.deformed,
+                        .material = material_index(scene, primitive.material),
+                        .mirrored = instance.mirrored},
+                       kind_of(material.alpha_mode)},
+                      &instance});
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+    return std::tuple(a.first.kind, state_of(a.first.draw)) < std::tuple(b.first.kind, state_of(b.first.draw));
+  });
+  CasterTable table;
+  for (auto& [caster, instance] : sorted) {
+    caster.draw.first_object = static_cast<std::uint32_t>(table.objects.size());
+    table.casters.push_back(caster);
+    table.objects.push_back(object_data(*instance, eye));
+  }
+  return table;
+}
+
+std::vector<Draw> visible_casters(const CasterTable& table, CasterKind kind, std::span<const glm::dvec4> planes) {
+  std::vector<Draw> draws;
+  for (const auto& caster : table.casters) {
+    if (caster.kind != kind || !overlaps(planes, caster.bounds)) continue;
+    const bool joins = !draws.empty() && state_of(draws.back()) == state_of(caster.draw) &&
+                       draws.back().first_object + draws.back().object_count == caster.draw.first_object;
+    if (joins)
+      ++draws.back().object_count;
+    else
+      draws.push_back(caster.draw);
+  }
+  return draws;
+}
+
+void draw_casters(gpu::Toolbox& tools, VkCommandBuffer commands, const SceneTables& tables, std::span<const Draw> draws,
+                  CasterKind kind, const CasterView& view) {
+  const auto& scene = tables.gpu->scene();
+  const Binder bind{tools, commands};
+  const gpu::Pipeline* bound = nullptr;
+  for (const auto& draw : draws) {
+    const auto& primitive = scene.primitives[draw.primitive];
+    const auto& material = material_or_default(scene, primitive.material);
+    const auto& pipeline = pipeline_of(tools, view, primitive, material, kind);
+    if (&pipeline != bound) {
+      vkCmdBindPipeline(commands, pipeline.bind_point(), pipeline.vk());
+      bind.set(pipeline, kFrameSet, gpu::Bindings().buffer(0, tables.frame).buffer(1, tables.caster_objects));
+      vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
+                         sizeof(view.clip_from_world), &view.clip_from_world);
+      bound = &pipeline;
+    }
+    if (kind != CasterKind::opaque)
+      bind.set(pipeline, kMaterialSet, material_bindings(tools.samplers, tables, draw.material));
+    tables.gpu->bind_vertices(commands, draw.deformed != scene::kNone);
+    set_facing(commands, draw, material.double_sided ? VkCullModeFlags{VK_CULL_MODE_NONE} : view.cull);
+    tables.gpu->draw(commands, draw);
+  }
+}
+
+}  // namespace velarium::upload

@@ -1,0 +1,46 @@
+#pragma once
+
+// What throws shadows, and how it is drawn into maps of depth.
+
+#include "gpu/toolbox.hpp"
+#include "upload/draws.hpp"
+
+#include <span>
+
+namespace velarium::upload {
+
+struct SceneTables;
+
+enum class CasterKind : std::uint8_t { opaque, cutout, translucent };  // by AlphaMode: OPAQUE, MASK, BLEND
+
+struct Caster {
+  scene::Aabb bounds;  // world space
+  Draw draw;           // of this instance alone
+  CasterKind kind = CasterKind::opaque;
+};
+
+// All triangles of a moment, wherever the camera looks. Instances of one state stand beside each other, so that those
+// that a map sees are few draws.
+struct CasterTable {
+  std::vector<Caster> casters;      // by gl_InstanceIndex: opaque ones, then cutouts, then translucent ones
+  std::vector<ObjectData> objects;  // the same order; relative to the eye
+};
+
+[[nodiscard]] CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& eye);
+
+// Those of one kind whose bounds overlap a convex volume. planes: world space, as those of a Frustum.
+[[nodiscard]] std::vector<Draw> visible_casters(const CasterTable& table, CasterKind kind,
+                                                std::span<const glm::dvec4> planes);
+
+// How casters are drawn.
+struct CasterView {
+  glm::mat4 clip_from_world{1.0f};               // from the scene's axes with their origin at the eye; reversed-Z
+  VkCullModeFlags cull = VK_CULL_MODE_BACK_BIT;  // of single-sided surfaces; double-sided ones are never culled
+  gpu::RasterState state;                        // formats, bias, blending: all but topology, vertices and constants
+};
+
+// Draws opaque casters and cutouts into depth, between begin_rendering() and end_rendering().
+void draw_casters(gpu::Toolbox& tools, VkCommandBuffer commands, const SceneTables& scene, std::span<const Draw> draws,
+                  CasterKind kind, const CasterView& view);
+
+}  // namespace velarium::upload
