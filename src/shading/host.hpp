@@ -30,6 +30,7 @@ using glm::vec4;
 using glm::abs;
 using glm::acos;
 using glm::atan;
+using glm::ceil;
 using glm::clamp;
 using glm::cos;
 using glm::cross;
@@ -55,6 +56,7 @@ using glm::sqrt;
 
 #include "shading/attenuation.glsl"
 #include "shading/brdf.glsl"
+#include "shading/cascades.glsl"
 #include "shading/color.glsl"
 #include "shading/constants.glsl"
 #include "shading/depth.glsl"
@@ -66,6 +68,8 @@ using glm::sqrt;
 #include "shading/microfacet.glsl"
 #include "shading/normal_encoding.glsl"
 #include "shading/sampling.glsl"
+#include "shading/shadow_bias.glsl"
+#include "shading/shadow_filter.glsl"
 #include "shading/smoothness.glsl"
 #include "shading/specular_encoding.glsl"
 #include "shading/surface.glsl"

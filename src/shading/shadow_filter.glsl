@@ -1,0 +1,88 @@
+// Soft shadows from maps of depth: where taps lie, and how wide a penumbra is [Crytek, "Secrets of CryENGINE 3 Graphics
+// Technology", 2011, presorted taps; Fernando 2005, "Percentage-Closer Soft Shadows", blocker search].
+//
+// A filter has two steps. The search looks at stored depths around the receiver, from near the middle outwards, and
+// averages the distances of those blockers that may hide a part of the light. The average gives rho, the width of the
+// penumbra as a share of the widest one. Then the first m taps of a disc compare, m = rho^2 n: fewer and nearer ones
+// where the shadow is sharp. Lengths across the map are in whatever unit the caller chooses, one unit a call.
+#ifndef VEL_SHADING_SHADOW_FILTER_GLSL
+#define VEL_SHADING_SHADOW_FILTER_GLSL
+
+#include "shading/constants.glsl"
+#include "shading/lang.glsl"
+
+// Cosine and sine of the golden angle, pi (3 - sqrt(5)): turned by it again and again, directions never line up.
+const float kGoldenAngleCosine = -0.737368878078320f;
+const float kGoldenAngleSine = 0.675490294261524f;
+
+// Fewer taps than this show as steps in the penumbra: the error at the edge of a half plane is up to 2 / m.
+const uint kMinShadowTaps = 8u;
+
+// The direction (unit) of the tap after one of direction `d`.
+FN vec2 next_tap_direction(vec2 d) {
+  return vec2(kGoldenAngleCosine * d.x - kGoldenAngleSine * d.y, kGoldenAngleSine * d.x + kGoldenAngleCosine * d.y);
+}
+
+// The direction of the first tap. noise: in [0, 1), a turn a pixel.
+FN vec2 first_tap_direction(float noise) {
+  return vec2(cos(kTwoPi * noise), sin(kTwoPi * noise));
+}
+
+// Radius of tap i of n in the unit disc [Vogel 1979]: even density, sorted, the first m within sqrt(m / n).
+FN float disc_tap_radius(uint i, uint n) {
+  require(i < n);
+  return sqrt((float(i) + 0.5f) / float(n));
+}
+
+// Radius of tap i of n of the search, from `inner` to `outer`. Its square law crowds taps about the middle, where
+// near blockers, which cast narrow penumbrae, are to be found.
+FN float search_tap_radius(uint i, uint n, float inner, float outer) {
+  require(i < n && inner <= outer);
+  float x = (float(i) + 0.5f) / float(n);
+  return inner + (outer - inner) * x * x;
+}
+
+// May a blocker hide a part of the light? It stands `offset` beside the way from the receiver to the light's middle;
+// at its distance the light's cone has the radius `cone`. Without this test a wide search blurs what touches the
+// ground, and finds the receiver's own slope. slack: what the map cannot resolve, about a texel and a half.
+FN bool blocks_light(float offset, float cone, float slack) {
+  return offset <= cone + slack;
+}
+
+// rho of a light far away (the sun): penumbrae grow with the distance of the blocker, up to the one at max_distance.
+// Distances along the light, > 0, in one unit.
+FN float penumbra_ratio_distant(float blocker_distance, float max_distance) {
+  require(max_distance > 0.0f);
+  return clamp(blocker_distance / max_distance, 0.0f, 1.0f);
+}
+
+// Radius of the penumbra at the receiver of a light of this radius: similar triangles over the blocker's edge.
+// Depths from the light, 0 < blocker <= receiver.
+FN float penumbra_radius_local(float receiver, float blocker, float light_radius) {
+  require(blocker > 0.0f && blocker <= receiver);
+  return light_radius * (receiver - blocker) / blocker;
+}
+
+// How many of n taps a penumbra of rho needs at the density of the widest one. rho in [0, 1].
+FN uint reduced_tap_count(float rho, uint n) {
+  require(rho >= 0.0f && rho <= 1.0f);
+  return clamp(uint(ceil(rho * rho * float(n))), min(kMinShadowTaps, n), n);
+}
+
+// What to multiply the radii of the first m of n taps by, so that they fill a disc of radius rho. Without it the least
+// count would widen sharp shadows.
+FN float reduced_tap_scale(float rho, uint m, uint n) {
+  require(m > 0u && m <= n);
+  return rho * sqrt(float(n) / float(m));
+}
+
+// How much nearer to the light a tap at `radius` of a disc of radius 1 compares, as a share of the blockers' mean
+// distance: blockers at the rim of the penumbra stand about as far as the mean, and whatever the receiver's own
+// slope shows there is nearer. Half of it takes both sides' spread.
+const float kTapDepthShare = 0.5f;
+
+FN float tap_clearance(float radius, float blocker_distance) {
+  return kTapDepthShare * radius * blocker_distance;
+}
+
+#endif
