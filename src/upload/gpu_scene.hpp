@@ -57,10 +57,12 @@ struct SceneTables {
   gpu::Buffer objects;         // ObjectData
   CasterTable casters;         // empty where no light casts shadows
   gpu::Buffer caster_objects;  // ObjectData
-  gpu::Buffer lights;          // GpuLight
-  gpu::Buffer light_bounds;    // view space spheres
+  std::vector<GpuLight> host_lights;
+  gpu::Buffer lights;        // the same
+  gpu::Buffer light_bounds;  // view space spheres
   LightRanges light_ranges;
-  gpu::Buffer frame;  // FrameUniforms, mapped: rewritten before each frame
+  gpu::Buffer shadow_views;  // ShadowView, of point and spot lights; null where none has a map
+  gpu::Buffer frame;         // FrameUniforms, mapped: rewritten before each frame
   float texture_lod_bias = 0.0f;
   float anisotropy = 1.0f;
 };

@@ -64,6 +64,7 @@ SceneTables make_scene_tables(gpu::Device& device, const GpuScene& scene, const 
   tables.caster_objects = make_buffer(device, tables.casters.objects, kStorage);
   tables.light_bounds = make_buffer(device, light_bounds(lights, view.view_from_world), kStorage);
   tables.lights = make_buffer(device, lights, kStorage);
+  tables.host_lights = std::move(lights);
   tables.frame = gpu::Buffer(device, sizeof(FrameUniforms), kStorage, gpu::MemoryUse::upload);
   return tables;
 }
