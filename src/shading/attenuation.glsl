@@ -37,9 +37,10 @@ FN float bulb_falloff(float center_distance, float bulb_radius) {
   return ratio * ratio;
 }
 
-// 1 until 0.8 of the cutoff radius, then linearly to 0 at the radius.
+// 1 until 0.8 of the cutoff radius, then linearly to 0 at the radius. cutoff_radius 0: no end.
 FN float cutoff_fade(float center_distance, float cutoff_radius) {
-  require(cutoff_radius > 0.0f);
+  require(cutoff_radius >= 0.0f);
+  if (cutoff_radius == 0.0f) return 1.0f;
   return clamp((cutoff_radius - center_distance) / (0.2f * cutoff_radius), 0.0f, 1.0f);
 }
 

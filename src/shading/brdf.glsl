@@ -16,18 +16,21 @@ FN float diffuse_share(vec3 f0, vec3 reflected, uint model) {
   return clamp(1.0f - taken, 0.0f, 1.0f);
 }
 
-// f_r(wo, wi) n.wi, per steradian: times radiance from wi, integrated over solid angle, it gives radiance towards wo.
-// For a punctual light multiply by its irradiance on a plane facing it. 0 where wi is not above the surface.
-// wo, wi: unit. alpha: the width to shade with, which may exceed that of s.smoothness (kMinAlphaPunctual).
-// specular_scale: energy_compensation(), or 1.
-FN vec3 evaluate_brdf(IN(Surface) s, float alpha, vec3 wo, vec3 wi, vec3 specular_scale, uint model) {
-  float n_dot_l = dot(s.normal_ws, wi);
+// wo, wi: unit. Some short vector where they are opposite.
+FN vec3 half_vector(vec3 wo, vec3 wi) {
+  vec3 sum = wo + wi;
+  return sum * inversesqrt(max(dot(sum, sum), 1e-12f));
+}
+
+// evaluate_brdf() for a light of some size about wi. n_dot_l: what stands for n.wi, clipped by the horizon; 0 gives
+// black. bent: unit, the direction of that light whose half vector the microfacets see.
+FN vec3 evaluate_brdf_bent(IN(Surface) s, float alpha, vec3 wo, vec3 wi, float n_dot_l, vec3 bent, vec3 specular_scale,
+                           uint model) {
   if (n_dot_l <= 0.0f) return vec3(0.0f);
   // Interpolated and mapped normals may turn away from the eye.
   float n_dot_v = abs(dot(s.normal_ws, wo)) + 1e-5f;
-  vec3 sum = wo + wi;
-  vec3 h = sum * inversesqrt(max(dot(sum, sum), 1e-12f));
-  vec3 n_cross_h = cross(s.normal_ws, h);
+  vec3 h = half_vector(wo, wi);
+  vec3 n_cross_h = cross(s.normal_ws, half_vector(wo, bent));
 
   vec3 fresnel = fresnel_schlick(s.f0, f90_from_f0(s.f0), clamp(dot(wo, h), 0.0f, 1.0f));
   float d = d_ggx_from_sin2(min(dot(n_cross_h, n_cross_h), 1.0f), alpha);
@@ -36,6 +39,14 @@ FN vec3 evaluate_brdf(IN(Surface) s, float alpha, vec3 wo, vec3 wi, vec3 specula
   float bracket = diffuse(model, n_dot_l, n_dot_v, dot(wo, wi), alpha);
   vec3 diffused = s.albedo * (kInvPi * bracket * diffuse_share(s.f0, fresnel, model));
   return (diffused + specular) * n_dot_l;
+}
+
+// f_r(wo, wi) n.wi, per steradian: times radiance from wi, integrated over solid angle, it gives radiance towards wo.
+// For a punctual light multiply by its irradiance on a plane facing it. 0 where wi is not above the surface.
+// wo, wi: unit. alpha: the width to shade with, which may exceed that of s.smoothness (kMinAlphaPunctual).
+// specular_scale: energy_compensation(), or 1.
+FN vec3 evaluate_brdf(IN(Surface) s, float alpha, vec3 wo, vec3 wi, vec3 specular_scale, uint model) {
+  return evaluate_brdf_bent(s, alpha, wo, wi, dot(s.normal_ws, wi), wi, specular_scale, model);
 }
 
 // Where a table of size x size texels, whose outermost texels stand for 0 and 1, is read for (n.v, smoothness).

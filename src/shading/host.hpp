@@ -72,6 +72,7 @@ using glm::sqrt;
 #include "shading/shadow_filter.glsl"
 #include "shading/smoothness.glsl"
 #include "shading/specular_encoding.glsl"
+#include "shading/sphere_light.glsl"
 #include "shading/surface.glsl"
 #include "shading/tile_culling.glsl"
 #include "shading/tonemap.glsl"

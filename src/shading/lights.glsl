@@ -22,7 +22,7 @@ const float kUnboundedRadius = 1e18f;
 struct GpuLight {
   vec4 position_range;  // xyz: world axes, metres, relative to the eye; w: range in metres, 0 without end
   vec4 direction;       // xyz: unit, where the light shines to (directional, spot); w: kLightDirectional, ...
-  vec4 color;           // rgb: colour times intensity, lux (directional) or candela; w: radius of the bulb in metres, 0: a point
+  vec4 color;           // rgb: colour times intensity, lux (directional) or candela; w: radius of the bulb in metres (point, spot), sine of the disc's angular radius (directional); 0: no size
   vec4 cone;            // spot: xy: spot_scale_offset(), z: cosine of the outer angle; w: kFalloffInverseSquare, ...
   vec4 projector;       // xyz: unit, where +u of the projected picture goes, at right angles to direction; w: tangent of half its field of view
   uint shadow_view;     // 1 + the first of the light's views in the shadow atlas, 0: none
@@ -40,6 +40,7 @@ CHECK_LAYOUT(GpuLight, shadow_view, 80);
 struct LightSample {
   vec3 wi;          // unit, from the point towards the light
   vec3 irradiance;  // lux on a plane that faces the light
+  float sine;       // of the half angle under which the light is seen; 0: a point, 1: from inside the bulb
 };
 
 FN bool is_directional(IN(GpuLight) l) {
@@ -56,7 +57,13 @@ FN LightSample sample_directional(IN(GpuLight) l) {
   LightSample result;
   result.wi = -vec3(l.direction.x, l.direction.y, l.direction.z);
   result.irradiance = vec3(l.color.x, l.color.y, l.color.z);
+  result.sine = l.color.w;
   return result;
+}
+
+FN float lamp_attenuation(IN(GpuLight) l, float distance) {
+  if (l.cone.w > 0.5f * kFalloffBulb) return bulb_attenuation(distance, l.color.w, l.position_range.w);
+  return range_attenuation(distance, l.position_range.w);
 }
 
 FN LightSample sample_point(IN(GpuLight) l, vec3 position) {
@@ -65,7 +72,8 @@ FN LightSample sample_point(IN(GpuLight) l, vec3 position) {
   LightSample result;
   // At the light itself every direction is as good.
   result.wi = distance > 0.0f ? to_light / distance : vec3(0.0f, 1.0f, 0.0f);
-  result.irradiance = vec3(l.color.x, l.color.y, l.color.z) * range_attenuation(distance, l.position_range.w);
+  result.irradiance = vec3(l.color.x, l.color.y, l.color.z) * lamp_attenuation(l, distance);
+  result.sine = min(l.color.w / max(distance, kMinLightDistance), 1.0f);
   return result;
 }
 

@@ -1,0 +1,127 @@
+// Light of a sphere of even radiance, or of the sun's disc, on glossy and matt surfaces without sampling it.
+// `sine`: of the half angle under which the sphere is seen: its radius over the distance of its centre.
+#ifndef VEL_SHADING_SPHERE_LIGHT_GLSL
+#define VEL_SHADING_SPHERE_LIGHT_GLSL
+
+#include "shading/brdf.glsl"
+#include "shading/constants.glsl"
+#include "shading/lang.glsl"
+
+// Nearer than this the surface is as good as inside the sphere, where a cone of directions says little.
+const float kMaxSphereSine = 0.99f;
+
+// Where the light shines at the eye from behind the surface, the half vector turns faster than the small angles do that
+// the formulas stand for.
+const float kMinVDotH = 1e-3f;
+
+// --- where in the sphere the highlight looks ----------------------------------------------------------------------
+//
+// [de Carpentier & Ishiyama 2017, Decima]: of all directions to the sphere, the one whose half vector is nearest to the
+// normal gives the microfacet distribution, all else is taken at the centre. Unless the mirror direction hits the
+// sphere, that direction lies on its rim, c L + s (cos phi T + sin phi B), where T points to the mirror direction.
+// There
+//   (n.h)^2 = (a.x + a.y cos + a.z sin)^2 / (2 (b.x + b.y cos + b.z sin)),   a: n.(v + l), b: 1 + v.l.
+
+// `around`: cosine and sine of phi.
+FN float rim_n_dot_h2(vec3 a, vec3 b, vec2 around) {
+  float n = max(a.x + a.y * around.x + a.z * around.y, 0.0f);
+  return n * n / (2.0f * (b.x + b.y * around.x + b.z * around.y));
+}
+
+// One step of Newton's method for the maximum of rim_n_dot_h2 in x = tan(phi / 2), from x = 0. Where the function is
+// not concave there the step would lead to a minimum: it is left out. With g = ln f the step is -g' / (g'' + g'^2);
+// times (PQ)^2 the terms without a.y, a.z, b.y, b.z cancel, which leaves no difference of nearly equal numbers.
+FN vec2 rim_newton_step(vec3 a, vec3 b) {
+  float p = a.x + a.y;
+  float q = b.x + b.y;
+  float slope = 4.0f * a.z * q - 2.0f * b.z * p;  // g' PQ
+  float bend = 2.0f * (a.z * q - b.z * p);
+  float curvature = 2.0f * bend * bend - 4.0f * p * q * (2.0f * a.y * q - b.y * p);  // (g'' + g'^2) (PQ)^2
+  if (curvature >= 0.0f) return vec2(1.0f, 0.0f);
+  float x = -slope * p * q / curvature;
+  float k = 1.0f / (1.0f + x * x);
+  return vec2((1.0f - x * x) * k, 2.0f * x * k);
+}
+
+// The unit direction within the sphere whose half vector with wo is nearest to n, as nearly as one step finds it.
+// n, wo, wi: unit, wi to the centre. sine: 0 gives wi.
+FN vec3 sphere_highlight_direction(vec3 n, vec3 wo, vec3 wi, float sine) {
+  require(sine >= 0.0f && sine < 1.0f);
+  vec3 mirrored = 2.0f * dot(n, wo) * n - wo;
+  float along = dot(mirrored, wi);
+  vec3 off = mirrored - along * wi;
+  float off2 = dot(off, off);
+  if (along > 0.0f && off2 <= sine * sine) return mirrored;
+
+  float cosine = sqrt(1.0f - sine * sine);
+  vec3 t = off * inversesqrt(max(off2, 1e-12f));
+  vec3 bitangent = cross(t, wi);
+  vec3 a = vec3(dot(n, wo) + cosine * dot(n, wi), sine * dot(n, t), sine * dot(n, bitangent));
+  vec3 b = vec3(1.0f + cosine * dot(wo, wi), sine * dot(wo, t), sine * dot(wo, bitangent));
+  vec2 nearest = vec2(1.0f, 0.0f);  // the rim's point next to the mirror direction [Karis 2013]
+  vec2 around = rim_newton_step(a, b);
+  if (rim_n_dot_h2(a, b, around) < rim_n_dot_h2(a, b, nearest)) around = nearest;
+  return cosine * wi + sine * (around.x * t + around.y * bitangent);
+}
+
+// --- how wide and how bright --------------------------------------------------------------------------------------
+
+// In the plane of half vectors the sphere is an ellipse of semi-axes s / 2 and s / (2 v.h), which a microfacet lobe of
+// width alpha is averaged over.
+
+// The lobe bent by the whole sphere is flat where its mean over the sphere is round: a smaller sphere comes nearer. The
+// best share of its radius was fitted for w = s / (2 alpha) from 0.05 to 8 and v.h = 1, where w / (w + 0.75) is within
+// 0.02 of it: the bent lobe is then 0.05 (w = 0.5) to 0.15 (w = 2) off the mean, relative, instead of 0.22 to 0.33.
+// For other v.h the mean radius of the ellipse, s / (2 sqrt(v.h)), counts.
+FN float sphere_highlight_sine(float sine, float alpha, float v_dot_h) {
+  require(alpha > 0.0f && v_dot_h > 0.0f);
+  return sine * sine / (sine + 1.5f * alpha * sqrt(v_dot_h));
+}
+
+// By how much bending the lobe over that ellipse raises its energy: Steiner's formula, with the ellipse's area and
+// perimeter (nearly pi times the sum of its semi-axes), the integral of the GGX distribution along a line, 1 / (4
+// alpha), and its peak, 1 / (pi alpha^2).
+FN float sphere_highlight_energy(float sine, float alpha, float v_dot_h) {
+  require(alpha > 0.0f && v_dot_h > 0.0f);
+  float ratio = sine / alpha;
+  return 1.0f + 0.125f * kPi * ratio * (1.0f + 1.0f / v_dot_h) + 0.25f * ratio * ratio / v_dot_h;
+}
+
+// --- what the horizon leaves --------------------------------------------------------------------------------------
+
+// z - atan(z) without the loss of digits of small z, which drivers' atan would take even more of. z >= 0.
+FN float excess_over_atan(float z) {
+  if (z > 0.5f) return z - atan(z);
+  float z2 = z * z;
+  return z * z2 * (1.0f / 3.0f - z2 * (1.0f / 5.0f - z2 * (1.0f / 7.0f - z2 * (1.0f / 9.0f))));
+}
+
+// The irradiance of the sphere as a share of that on a plane which faces it: n.l as long as the whole sphere is above
+// the horizon, 0 once it has set, between them the form factor of what is left of it [Snyder 1996], whose difference
+// of large terms is taken by hand. n_dot_l: to its centre.
+FN float sphere_horizon_cosine(float n_dot_l, float sine) {
+  require(sine < 1.0f);
+  if (n_dot_l >= sine) return n_dot_l;
+  if (n_dot_l <= -sine) return 0.0f;
+  float cosine = sqrt(1.0f - sine * sine);
+  float up = n_dot_l / sine;
+  float half_chord = sqrt(max(1.0f - up * up, 0.0f));
+  float turn = acos(clamp(-cosine * up * inversesqrt(1.0f - n_dot_l * n_dot_l), -1.0f, 1.0f));
+  float below = excess_over_atan(half_chord * sine / cosine) / (sine * sine);
+  return max(kInvPi * (n_dot_l * turn + half_chord * sine / cosine - below), 0.0f);
+}
+
+// evaluate_brdf() for a sphere: the light's irradiance on a plane that faces it times this is what goes towards wo.
+// wi: to its centre. alpha: of the surface. specular_scale: energy_compensation(), or 1.
+FN vec3 evaluate_brdf_sphere(IN(Surface) s, float alpha, vec3 wo, vec3 wi, float sine, vec3 specular_scale,
+                             uint model) {
+  float seen_sine = min(sine, kMaxSphereSine);
+  float n_dot_l = sphere_horizon_cosine(dot(s.normal_ws, wi), seen_sine);
+  float v_dot_h = max(dot(wo, half_vector(wo, wi)), kMinVDotH);
+  float highlight_sine = sphere_highlight_sine(seen_sine, alpha, v_dot_h);
+  vec3 bent = sphere_highlight_direction(s.normal_ws, wo, wi, highlight_sine);
+  vec3 scale = specular_scale / sphere_highlight_energy(highlight_sine, alpha, v_dot_h);
+  return evaluate_brdf_bent(s, alpha, wo, wi, n_dot_l, bent, scale, model);
+}
+
+#endif
