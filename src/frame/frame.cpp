@@ -5,17 +5,16 @@
 #include "passes/exposure/exposure.hpp"
 #include "passes/forward/forward.hpp"
 #include "passes/gbuffer/gbuffer.hpp"
+#include "passes/lighting/lighting.hpp"
 
 namespace velarium::frame {
 
 graph::GraphImage add_frame(graph::Graph& g, const FrameInputs& in) {
-  const auto& s = in.settings;
-  const auto surface = gbuffer::add(g, {in.scene, in.normal_lengths, in.width, in.height});
-  const auto lit = lighting::add(
-      g, {in.scene, in.environment, surface.rt0, surface.rt1, surface.rt2, surface.depth, surface.hdr}, s.lighting);
-  const auto hdr = forward::add(
-      g, {in.scene, in.environment.specular, in.environment.irradiance, in.environment.brdf_table,
-          lighting::shading_constants(s.lighting, in.environment), surface.depth, lit.hdr, lit.forward_lists});
+  const auto drawn = gbuffer::add(g, {in.scene, in.normal_lengths, in.width, in.height});
+  const passes::GBuffer surface{drawn.rt0, drawn.rt1, drawn.rt2, drawn.depth};
+  const passes::ShadingInputs shading{.scene = in.scene, .environment = in.environment, .settings = in.settings};
+  const auto lit = lighting::add(g, {shading, surface, drawn.hdr});
+  const auto hdr = forward::add(g, {shading, surface.depth, lit.hdr, lit.forward_lists});
   return accumulate::add(g, {hdr, g.import("sum", in.sum, !in.first), in.first});
 }
 

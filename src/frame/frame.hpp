@@ -1,8 +1,7 @@
 #pragma once
 
 #include "graph/graph.hpp"
-#include "passes/lighting/lighting.hpp"
-#include "upload/gpu_scene.hpp"
+#include "passes/shading_inputs.hpp"
 
 #include <velarium/settings.hpp>
 
@@ -14,7 +13,7 @@ namespace velarium::frame {
 // What one frame is made from. Everything outlives the frame.
 struct FrameInputs {
   const upload::SceneTables& scene;
-  const lighting::Environment& environment;
+  const passes::Environment& environment;
   const gpu::Image& normal_lengths;
   gpu::Image& sum;    // rgba32f: of the frames of this picture so far
   bool first = true;  // does this frame start the sum?

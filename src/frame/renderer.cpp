@@ -93,12 +93,12 @@ RenderResult Renderer::render(const Job& job) {
     sum_ = gpu::Image(tools_.device, sum_desc,
                       VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
   const bool lit = job.environment != nullptr;
-  const lighting::Environment environment{lit ? job.environment->background : black_,
-                                          lit ? job.environment->specular : black_cube_,
-                                          lit ? job.environment->irradiance : black_cube_,
-                                          brdf_table(request.settings.lighting.model),
-                                          request.settings.environment.diffuse,
-                                          lit};
+  const passes::Environment environment{lit ? job.environment->background : black_,
+                                        lit ? job.environment->specular : black_cube_,
+                                        lit ? job.environment->irradiance : black_cube_,
+                                        brdf_table(request.settings.lighting.model),
+                                        request.settings.environment.diffuse,
+                                        lit};
   const FrameInputs inputs{.scene = scene,
                            .environment = environment,
                            .normal_lengths = normal_lengths_,

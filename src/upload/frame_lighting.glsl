@@ -1,5 +1,6 @@
-// Light on a surface: what the tiled pass and the forward pass share. GLSL only.
-// The includer defines, before: FrameUniforms frame; the textures and the light table below are bound in set 1.
+// Light on a surface: what all passes that shade share. GLSL only.
+// The includer defines, before: FrameUniforms frame; the textures and the light table below are bound in set 1, by
+// passes/shading_inputs.
 #ifndef VEL_UPLOAD_FRAME_LIGHTING_GLSL
 #define VEL_UPLOAD_FRAME_LIGHTING_GLSL
 
@@ -90,6 +91,23 @@ vec3 reflected(ShadingPoint p, GpuLight l, LightSample light) {
   return evaluate_brdf(p.surface, alpha, p.wo, light.wi, p.specular_scale, kModel) * light.irradiance;
 }
 
+// What a lamp of each kind adds: whatever lies between a lamp and a point belongs into these, or into reflected(), so that
+// every way to find the lamps of a pixel sees it.
+vec3 light_directional(ShadingPoint p, uint index) {
+  GpuLight l = lights[index];
+  return reflected(p, l, sample_directional(l));
+}
+
+vec3 light_point(ShadingPoint p, uint index) {
+  GpuLight l = lights[index];
+  return reflected(p, l, sample_point(l, p.position_ws));
+}
+
+vec3 light_spot(ShadingPoint p, uint index) {
+  GpuLight l = lights[index];
+  return reflected(p, l, sample_spot(l, p.position_ws));
+}
+
 // Lights of the tile, kind by kind and in their order, so that every run adds in the same order.
 //
 // Loops test at their end: a software driver runs a body once more, masked, where the test stands before it.
@@ -99,8 +117,7 @@ vec3 punctual_lights(ShadingPoint p, FrameUniforms frame) {
   if (frame.first_point > 0u) do {
       uint bits = tile_light_word(word, 0u, frame.first_point);
       if (bits != 0u) do {
-          GpuLight l = lights[word * 32u + uint(findLSB(bits))];
-          sum += reflected(p, l, sample_directional(l));
+          sum += light_directional(p, word * 32u + uint(findLSB(bits)));
           bits &= bits - 1u;
         } while (bits != 0u);
     } while (++word * 32u < frame.first_point);
@@ -109,8 +126,7 @@ vec3 punctual_lights(ShadingPoint p, FrameUniforms frame) {
   if (frame.first_spot > frame.first_point) do {
       uint bits = tile_light_word(word, frame.first_point, frame.first_spot);
       if (bits != 0u) do {
-          GpuLight l = lights[word * 32u + uint(findLSB(bits))];
-          sum += reflected(p, l, sample_point(l, p.position_ws));
+          sum += light_point(p, word * 32u + uint(findLSB(bits)));
           bits &= bits - 1u;
         } while (bits != 0u);
     } while (++word * 32u < frame.first_spot);
@@ -119,8 +135,7 @@ vec3 punctual_lights(ShadingPoint p, FrameUniforms frame) {
   if (frame.light_count > frame.first_spot) do {
       uint bits = tile_light_word(word, frame.first_spot, frame.light_count);
       if (bits != 0u) do {
-          GpuLight l = lights[word * 32u + uint(findLSB(bits))];
-          sum += reflected(p, l, sample_spot(l, p.position_ws));
+          sum += light_spot(p, word * 32u + uint(findLSB(bits)));
           bits &= bits - 1u;
         } while (bits != 0u);
     } while (++word * 32u < frame.light_count);

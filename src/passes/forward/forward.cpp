@@ -1,6 +1,5 @@
 #include "passes/forward/forward.hpp"
 
-#include "graph/context.hpp"
 #include "upload/draw_scene.hpp"
 #include "upload/materials.hpp"
 
@@ -15,7 +14,7 @@ constexpr std::uint32_t kFragment[] =
 
 gpu::RasterState raster_state(const graph::Context& c, const Inputs& in, scene::Topology topology,
                               std::uint32_t slots) {
-  auto constants = in.shading_constants;
+  auto constants = passes::shading_constants(in.shading);
   constants[0] = slots;
   constants.push_back(in.forward_lists.version != 0 ? 1u : 0u);
   return {.vertex_bindings = upload::vertex_bindings(),
@@ -30,30 +29,33 @@ gpu::RasterState raster_state(const graph::Context& c, const Inputs& in, scene::
 
 void bind_frame(graph::Context& c, const gpu::Pipeline& pipeline, const Inputs& in) {
   c.bind(pipeline);
-  c.set(pipeline, 0).buffer(0, in.scene.frame).buffer(1, in.scene.objects).bind();
-  auto set = c.set(pipeline, 1);
-  set.sampled(0, in.environment).sampled(1, in.brdf_table).buffer(2, in.scene.lights).sampled(4, in.irradiance);
+  const auto& scene = in.shading.scene;
+  c.set(pipeline, 0).buffer(0, scene.frame).buffer(1, scene.objects).bind();
+  auto shared = c.set(pipeline, 1);
+  passes::bind(shared, in.shading);
   if (in.forward_lists.version != 0)
-    set.buffer(3, in.forward_lists);
+    shared.buffer(3, in.forward_lists);
   else
-    set.buffer(3, in.scene.lights);  // bound, never read
-  set.bind();
+    shared.buffer(3, scene.lights);  // bound, never read
+  shared.bind();
 }
 
 // A double-sided surface shows its far side through its near one: back faces first.
 void draw_sides(graph::Context& c, const Inputs& in, const upload::Draw& draw, bool double_sided) {
+  const auto& gpu_scene = *in.shading.scene.gpu;
   if (double_sided) {
     upload::set_facing(c.commands(), draw, VK_CULL_MODE_FRONT_BIT);
-    in.scene.gpu->draw(c.commands(), draw);
+    gpu_scene.draw(c.commands(), draw);
   }
   upload::set_facing(c.commands(), draw, VK_CULL_MODE_BACK_BIT);
-  in.scene.gpu->draw(c.commands(), draw);
+  gpu_scene.draw(c.commands(), draw);
 }
 
 void draw_all(graph::Context& c, const Inputs& in) {
-  const auto& scene = in.scene.gpu->scene();
+  const auto& tables = in.shading.scene;
+  const auto& scene = tables.gpu->scene();
   const gpu::Pipeline* bound = nullptr;
-  for (const auto& draw : in.scene.draws.blended) {
+  for (const auto& draw : tables.draws.blended) {
     const auto& primitive = scene.primitives[draw.primitive];
     const auto& material = upload::material_or_default(scene, primitive.material);
     const auto& pipeline =
@@ -61,8 +63,8 @@ void draw_all(graph::Context& c, const Inputs& in) {
                                    raster_state(c, in, primitive.topology, upload::slot_mask(material)));
     if (&pipeline != bound) bind_frame(c, pipeline, in);
     bound = &pipeline;
-    c.bind_set(pipeline, 2, upload::material_bindings(c.tools().samplers, in.scene, draw.material));
-    in.scene.gpu->bind_vertices(c.commands(), draw.deformed != scene::kNone);
+    c.bind_set(pipeline, 2, upload::material_bindings(c.tools().samplers, tables, draw.material));
+    tables.gpu->bind_vertices(c.commands(), draw.deformed != scene::kNone);
     vkCmdSetStencilReference(c.commands(), VK_STENCIL_FACE_FRONT_AND_BACK, 0);
     draw_sides(c, in, draw, material.double_sided);
   }
@@ -71,9 +73,10 @@ void draw_all(graph::Context& c, const Inputs& in) {
 }  // namespace
 
 graph::GraphImage add(graph::Graph& graph, const Inputs& in) {
-  if (in.scene.draws.blended.empty()) return in.hdr;
+  if (in.shading.scene.draws.blended.empty()) return in.hdr;
   auto& pass = graph.pass("forward");
   pass.read(in.depth, Access::depth_test);
+  passes::read(pass, in.shading, Access::fragment_sample);
   if (in.forward_lists.version != 0) pass.read(in.forward_lists, Access::fragment_sample);
   const auto hdr = pass.write(in.hdr, Access::color_attachment);
   pass.run([in, hdr](graph::Context& c) {

@@ -1,16 +1,11 @@
 #pragma once
 
-#include "graph/graph.hpp"
-#include "upload/gpu_scene.hpp"
+#include "passes/shading_inputs.hpp"
 
 namespace velarium::forward {
 
 struct Inputs {
-  const upload::SceneTables& scene;
-  const gpu::Image& environment;  // cube of pre-convolved levels
-  const gpu::Image& irradiance;   // cube of irradiance / pi
-  const gpu::Image& brdf_table;
-  gpu::Specialization shading_constants;  // of upload/frame_lighting.glsl, kSharedConstants of them
+  passes::ShadingInputs shading;
   graph::GraphImage depth, hdr;
   graph::GraphBuffer forward_lists;  // version 0: the scene has no light
 };

@@ -5,7 +5,6 @@
 // A tile keeps a light when its sphere passes the side planes, the box and the 32-slice depth mask; the list is a bit
 // mask in light order, so that sums are the same on every run and equal to a loop over all lights.
 
-#include "shading/gbuffer.glsl"
 #include "shading/tile_culling.glsl"
 #include "upload/gpu_structs.glsl"
 
@@ -13,17 +12,12 @@
 layout(local_size_x_id = 23) in;
 
 layout(set = 0, binding = 0, std430) readonly buffer FrameBuffer { FrameUniforms frame; };
-layout(set = 0, binding = 1) uniform sampler2D rt0;
-layout(set = 0, binding = 2) uniform sampler2D rt1;
-layout(set = 0, binding = 3) uniform sampler2D rt2;
-layout(set = 0, binding = 4) uniform sampler2D depth_map;
-layout(set = 0, binding = 5) uniform usampler2D class_map;
 layout(set = 0, binding = 6, rgba16f) uniform image2D hdr;       // in: emissive; out: the lit picture
 layout(set = 0, binding = 7) uniform sampler2D background_map;   // equirectangular
 layout(set = 0, binding = 8, std430) readonly buffer BoundsBuffer { vec4 light_bounds[]; };
 layout(set = 0, binding = 9, std430) writeonly buffer TileBuffer { uint forward_lists[]; };
 
-#include "upload/frame_lighting.glsl"
+#include "upload/gbuffer_point.glsl"
 
 layout(constant_id = 20) const uint kTiled = 1u;          // 0: every light at every pixel
 layout(constant_id = 21) const uint kForwardLists = 0u;   // 1: write the lists that transparent surfaces need
@@ -48,11 +42,9 @@ uvec2 tile_pixel(uint i) {
   return gl_WorkGroupID.xy * kTileSize + uvec2(i % kTileSize, i / kTileSize);
 }
 
-// View depth, or 0 where nothing was drawn.
+// View depth, or 0 where nothing was drawn and outside the picture.
 float depth_at(uvec2 pixel) {
-  if (any(greaterThanEqual(vec2(pixel), frame.size.xy))) return 0.0;
-  float device_depth = texelFetch(depth_map, ivec2(pixel), 0).r;
-  return device_depth > 0.0 ? view_depth(device_depth, frame.depth_params) : 0.0;
+  return any(greaterThanEqual(vec2(pixel), frame.size.xy)) ? 0.0 : gbuffer_depth(ivec2(pixel));
 }
 
 // The tile's depth range, and which of 32 slices of it hold a surface.
@@ -131,22 +123,15 @@ vec4 background(vec2 ndc) {
 
 void shade(uvec2 at) {
   ivec2 pixel = ivec2(at);
-  vec2 ndc = (vec2(pixel) + 0.5) * frame.size.zw * 2.0 - 1.0;
   float depth = depth_at(at);
   if (depth == 0.0) {
-    imageStore(hdr, pixel, background(ndc));
+    imageStore(hdr, pixel, background(ndc_of_pixel(pixel)));
     return;
   }
-  uint material_class = texelFetch(class_map, pixel, 0).r & 3u;
+  uint material_class = gbuffer_class(pixel);
   if (material_class == kClassUnlit) return;
 
-  GBufferTexel texel = GBufferTexel(texelFetch(rt0, pixel, 0), texelFetch(rt1, pixel, 0), texelFetch(rt2, pixel, 0));
-  vec3 position_vs = view_position(ndc, depth, frame.ndc_to_view, frame.perspective);
-  vec3 wo_vs = frame.perspective > 0.5 ? -normalize(position_vs) : vec3(0.0, 0.0, 1.0);
-  mat3 world_from_view = transpose(mat3(frame.view_from_world));
-  ShadingPoint p =
-      shading_point(gbuffer_decode(texel, material_class), world_from_view * position_vs, world_from_view * wo_vs);
-
+  ShadingPoint p = gbuffer_point(pixel, depth, material_class);
   vec3 light = imageLoad(hdr, pixel).rgb + environment_light(p, frame);
   if (kLights != 0u) light += punctual_lights(p, frame);
   imageStore(hdr, pixel, vec4(min(light, kMaxRadiance), 1.0));

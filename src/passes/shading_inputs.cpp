@@ -1,0 +1,48 @@
+#include "passes/shading_inputs.hpp"
+
+namespace velarium::passes {
+namespace {
+
+constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST};
+
+}  // namespace
+
+gpu::Specialization shading_constants(const ShadingInputs& in) {
+  const auto& lighting = in.settings.lighting;
+  const bool ryse = lighting.model == ShadingModel::ryse;
+  // Compensation would undo the darkening that Ryse's visibility term is meant to have.
+  const bool multi_scatter = lighting.multi_scatter && !ryse;
+  gpu::Specialization constants(kSharedConstants);
+  constants[1] = ryse ? shading::kModelRyse : shading::kModelGltf;
+  constants[2] = multi_scatter ? 1u : 0u;
+  constants[3] = lighting.occlusion ? 1u : 0u;
+  constants[4] = in.environment.present ? 1u : 0u;
+  constants[5] = in.environment.diffuse == DiffuseEnvironment::sh ? 1u : 0u;
+  return constants;
+}
+
+void read(graph::Pass& pass, const ShadingInputs& in, graph::Access access) {
+  for (const auto image : {in.shadow_atlas, in.sun_cascades, in.sun_mask})
+    if (image.version != 0) pass.read(image, access);
+}
+
+void read(graph::Pass& pass, const GBuffer& in, graph::Access access) {
+  for (const auto image : {in.rt0, in.rt1, in.rt2, in.depth}) pass.read(image, access);
+}
+
+void bind(graph::SetWriter& set, const ShadingInputs& in) {
+  set.sampled(0, in.environment.specular)
+      .sampled(1, in.environment.brdf_table)
+      .buffer(2, in.scene.lights)
+      .sampled(4, in.environment.irradiance);
+}
+
+void bind(graph::SetWriter& set, const GBuffer& in) {
+  set.sampled(1, in.rt0, kNearest)
+      .sampled(2, in.rt1, kNearest)
+      .sampled(3, in.rt2, kNearest)
+      .sampled(4, in.depth)
+      .stencil(5, in.depth);
+}
+
+}  // namespace velarium::passes

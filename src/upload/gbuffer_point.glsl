@@ -1,0 +1,40 @@
+// Surfaces as the G-buffer keeps them, read back to be lit. GLSL only.
+// The includer defines, before: FrameUniforms frame; the images below are bound in set 0.
+#ifndef VEL_UPLOAD_GBUFFER_POINT_GLSL
+#define VEL_UPLOAD_GBUFFER_POINT_GLSL
+
+#include "shading/depth.glsl"
+#include "shading/gbuffer.glsl"
+#include "upload/frame_lighting.glsl"
+
+layout(set = 0, binding = 1) uniform sampler2D rt0;
+layout(set = 0, binding = 2) uniform sampler2D rt1;
+layout(set = 0, binding = 3) uniform sampler2D rt2;
+layout(set = 0, binding = 4) uniform sampler2D depth_map;
+layout(set = 0, binding = 5) uniform usampler2D class_map;
+
+// -1 to 1, y down.
+vec2 ndc_of_pixel(ivec2 pixel) {
+  return (vec2(pixel) + 0.5) * frame.size.zw * 2.0 - 1.0;
+}
+
+// View depth, or 0 where nothing was drawn. pixel: inside the picture.
+float gbuffer_depth(ivec2 pixel) {
+  float device_depth = texelFetch(depth_map, pixel, 0).r;
+  return device_depth > 0.0 ? view_depth(device_depth, frame.depth_params) : 0.0;
+}
+
+uint gbuffer_class(ivec2 pixel) {
+  return texelFetch(class_map, pixel, 0).r & 3u;
+}
+
+// depth: view depth, not 0. material_class: not kClassUnlit.
+ShadingPoint gbuffer_point(ivec2 pixel, float depth, uint material_class) {
+  GBufferTexel texel = GBufferTexel(texelFetch(rt0, pixel, 0), texelFetch(rt1, pixel, 0), texelFetch(rt2, pixel, 0));
+  vec3 position_vs = view_position(ndc_of_pixel(pixel), depth, frame.ndc_to_view, frame.perspective);
+  vec3 wo_vs = frame.perspective > 0.5 ? -normalize(position_vs) : vec3(0.0, 0.0, 1.0);
+  mat3 world_from_view = transpose(mat3(frame.view_from_world));
+  return shading_point(gbuffer_decode(texel, material_class), world_from_view * position_vs, world_from_view * wo_vs);
+}
+
+#endif
