@@ -71,7 +71,7 @@ BlendFactors blend_factors(Blend blend) {
   return {VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ZERO};
 }
 
-VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
+VkPipelineColorBlendAttachmentState blend_state(Blend blend, bool write) {
   constexpr VkColorComponentFlags kAll =
       VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
   const auto [source, destination] = blend_factors(blend);
@@ -82,23 +82,50 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
           .srcAlphaBlendFactor = source,
           .dstAlphaBlendFactor = destination,
           .alphaBlendOp = VK_BLEND_OP_ADD,
-          .colorWriteMask = kAll};
+          .colorWriteMask = write ? kAll : 0};
+}
+
+struct StencilFaces {
+  VkStencilOpState front, back;
+};
+
+StencilFaces stencil_faces(Stencil stencil) {
+  VkStencilOpState op{.failOp = VK_STENCIL_OP_KEEP,
+                      .passOp = VK_STENCIL_OP_KEEP,
+                      .depthFailOp = VK_STENCIL_OP_KEEP,
+                      .compareOp = VK_COMPARE_OP_ALWAYS,
+                      .compareMask = 0xff,
+                      .writeMask = 0xff};
+  StencilFaces faces{op, op};
+  switch (stencil) {
+    case Stencil::none:
+      break;
+    case Stencil::replace:
+      faces.front.passOp = faces.back.passOp = VK_STENCIL_OP_REPLACE;
+      break;
+    case Stencil::enclose:
+      // What lies behind the surface is counted, as what lies before it may be cut off by the near plane.
+      faces.front.depthFailOp = VK_STENCIL_OP_DECREMENT_AND_WRAP;
+      faces.back.depthFailOp = VK_STENCIL_OP_INCREMENT_AND_WRAP;
+      break;
+    case Stencil::consume:
+      op.compareOp = VK_COMPARE_OP_NOT_EQUAL;  // of the dynamic reference, 0
+      op.passOp = VK_STENCIL_OP_ZERO;
+      faces = {op, op};
+      break;
+  }
+  return faces;
 }
 
 VkPipelineDepthStencilStateCreateInfo depth_state(const RasterState& state) {
-  const VkStencilOpState replace{.failOp = VK_STENCIL_OP_KEEP,
-                                 .passOp = VK_STENCIL_OP_REPLACE,
-                                 .depthFailOp = VK_STENCIL_OP_KEEP,
-                                 .compareOp = VK_COMPARE_OP_ALWAYS,
-                                 .compareMask = 0xff,
-                                 .writeMask = 0xff};
+  const auto [front, back] = stencil_faces(state.stencil);
   return {.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO,
           .depthTestEnable = state.depth_format != VK_FORMAT_UNDEFINED,
           .depthWriteEnable = state.depth_write,
-          .depthCompareOp = VK_COMPARE_OP_GREATER_OR_EQUAL,
-          .stencilTestEnable = state.write_stencil,
-          .front = replace,
-          .back = replace};
+          .depthCompareOp = state.depth_compare,
+          .stencilTestEnable = state.stencil != Stencil::none,
+          .front = front,
+          .back = back};
 }
 
 struct VertexInput {
@@ -133,7 +160,9 @@ VkPipeline create_raster(Device& device, VkPipelineLayout layout,
   const VkPipelineMultisampleStateCreateInfo multisample{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO, .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
   const auto depth = depth_state(state);
-  const std::vector<VkPipelineColorBlendAttachmentState> targets(state.color_formats.size(), blend_state(state.blend));
+  const bool has_fragment = stages.size() > 1;
+  const std::vector<VkPipelineColorBlendAttachmentState> targets(state.color_formats.size(),
+                                                                 blend_state(state.blend, has_fragment));
   const VkPipelineColorBlendStateCreateInfo blend{.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
                                                   .attachmentCount = static_cast<std::uint32_t>(targets.size()),
                                                   .pAttachments = targets.data()};

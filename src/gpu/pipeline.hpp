@@ -38,6 +38,14 @@ enum class Blend {
   add,            // new + old
 };
 
+// What becomes of the stencil.
+enum class Stencil {
+  none,
+  replace,  // by the dynamic reference, where a fragment passes
+  enclose,  // of a closed body drawn whole: not 0 where a surface is inside, wherever the eye is; 0 before
+  consume,  // draws where it is not 0, and leaves 0
+};
+
 // Viewport, scissor, cull mode, front face, stencil reference and depth bias are always dynamic. Depth is reversed-Z.
 struct RasterState {
   std::vector<VertexBinding> vertex_bindings;
@@ -45,11 +53,12 @@ struct RasterState {
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   std::vector<VkFormat> color_formats;
   VkFormat depth_format = VK_FORMAT_UNDEFINED;
+  VkCompareOp depth_compare = VK_COMPARE_OP_GREATER_OR_EQUAL;
   bool depth_write = true;
-  bool depth_clamp = false;    // what stands before the near plane is drawn on it, rather than cut off
-  bool depth_bias = false;     // by vkCmdSetDepthBias
-  bool write_stencil = false;  // the dynamic reference replaces the stencil where a fragment passes
-  Blend blend = Blend::none;   // of every colour target
+  bool depth_clamp = false;  // what stands before the near plane is drawn on it, rather than cut off
+  bool depth_bias = false;   // by vkCmdSetDepthBias
+  Stencil stencil = Stencil::none;
+  Blend blend = Blend::none;  // of every colour target
   Specialization fragment_constants;
   bool operator==(const RasterState&) const = default;
 };
@@ -58,7 +67,7 @@ struct RasterState {
 class Pipeline {
  public:
   static Pipeline compute(Device& device, Spirv shader, const Specialization& constants = {});
-  // `fragment`: empty where depth alone is drawn.
+  // `fragment`: empty where depth and stencil alone are drawn; colour targets then keep what they have.
   static Pipeline raster(Device& device, Spirv vertex, Spirv fragment, const RasterState& state);
   ~Pipeline();
   Pipeline(Pipeline&& other) noexcept;

@@ -35,7 +35,7 @@ gpu::RasterState raster_state(const Variant& variant) {
           .topology = upload::vulkan_topology(variant.topology),
           .color_formats = kColorFormats,
           .depth_format = kDepthFormat,
-          .write_stencil = true,
+          .stencil = gpu::Stencil::replace,
           .fragment_constants = {variant.slots, variant.alpha_test ? 1u : 0u}};
 }
 
