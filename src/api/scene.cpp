@@ -66,7 +66,7 @@ void count_moment(const scene::Scene& scene, SceneInfo& info) {
   for (const auto& [camera, matrix] : moment.cameras)
     info.cameras.push_back(
         {camera.name, camera.kind == scene::Camera::Kind::perspective ? "perspective" : "orthographic"});
-  for (const auto& [light, position, direction] : moment.lights)
+  for (const auto& [light, position, direction, right] : moment.lights)
     info.lights.push_back({light.name, kind_name(light.kind), to_array(light.color), light.intensity});
   if (moment.bounds.empty()) return;
   info.bounds_min = to_array(moment.bounds.min);

@@ -3,14 +3,12 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace velarium::scene::gltf {
 
 namespace {
 
-constexpr float kAnyPositive = std::numeric_limits<float>::max();
 constexpr float kWidestFov = 179.0f / 180.0f * std::numbers::pi_v<float>;
 
 float positive(const Value& value) {
@@ -64,49 +62,10 @@ Camera read_camera(const Value& value) {
   return camera;
 }
 
-LightKind read_light_kind(const Value& value) {
-  const std::string_view type = value.text();
-  if (type == "directional") return LightKind::directional;
-  if (type == "point") return LightKind::point;
-  if (type == "spot") return LightKind::spot;
-  value.fail(fmt::format("is '{}', must be directional, point or spot", type));
-}
-
-void read_cones(const Value& spot, Light& light) {
-  const Value inner = spot["innerConeAngle"], outer = spot["outerConeAngle"];
-  light.inner_cone = inner.number_or(light.inner_cone);
-  light.outer_cone = outer.number_or(light.outer_cone);
-  if (light.inner_cone < 0.0f) inner.fail("must be at least 0");
-  constexpr float kWidest = std::numbers::pi_v<float> / 2.0f;
-  if (light.outer_cone > kWidest) outer.fail("must be at most pi/2 radians");
-  if (!(light.inner_cone < light.outer_cone)) (outer ? outer : inner).fail("outerConeAngle must exceed innerConeAngle");
-}
-
-Light read_light(const Value& value) {
-  Light light;
-  light.name = value["name"].text_or("");
-  light.kind = read_light_kind(value.require("type"));
-  light.color = value["color"].clamped_vector_or(light.color, 0.0f, kAnyPositive);
-  light.intensity = value["intensity"].clamped_or(light.intensity, 0.0f, kAnyPositive);
-  if (const Value range = value["range"]) light.range = positive(range);
-  light.radius = value.extra("radius").value_or(light.radius);
-  if (light.kind == LightKind::spot) read_cones(value.require("spot"), light);
-  return light;
-}
-
 }  // namespace
 
 void read_cameras(Context& context) {
   for (const Value& value : context.root["cameras"].elements()) context.scene.cameras.push_back(read_camera(value));
-}
-
-void read_lights_punctual(Context& context, const Value& extension) {
-  for (const Value& value : extension.require("lights").elements()) context.scene.lights.push_back(read_light(value));
-}
-
-void read_node_light(Context& context, const Value& extension, Node& node) {
-  const auto count = static_cast<std::uint32_t>(context.scene.lights.size());
-  node.light = static_cast<std::int32_t>(extension.require("light").reference(count, "lights"));
 }
 
 }  // namespace velarium::scene::gltf

@@ -95,15 +95,25 @@ auto at_image(const Source& source, const Work& work) {
   } catch (const Error& error) { throw Error(error.code(), source.image.file(), error.what()); }
 }
 
-// Points textures at the table of decoded images, and lists the sources of those images in its order.
-std::vector<Source> assign_images(Context& context, const Buffers& buffers) {
+// The table of decoded images as it is put together.
+struct Table {
+  Value images;  // of the file
+  std::map<std::pair<std::uint32_t, std::optional<float>>, std::int32_t> places{};
+  std::vector<Source> sources{};
+
+  // The place of an image of the file, read as it is or as roughness.
+  std::int32_t place_of(std::int32_t image, std::optional<float> glossiness) {
+    const auto index = static_cast<std::uint32_t>(image);
+    const auto [place, added] = places.emplace(std::pair(index, glossiness), static_cast<std::int32_t>(sources.size()));
+    if (added) sources.push_back({images.at(index), index, glossiness, {}, {}, {}});
+    return place->second;
+  }
+};
+
+void assign_textures(Context& context, Table& table) {
   Scene& scene = context.scene;
-  const Value list = context.root["images"];
-  for (const Value& image : list.elements()) check_image(image, buffers);
   const std::vector<bool> used = textures_in_use(scene);
   const std::uint32_t texture_count = context.root["textures"].size();
-  std::map<std::pair<std::uint32_t, std::optional<float>>, std::int32_t> places;  // in the table
-  std::vector<Source> sources;
   for (std::uint32_t i = 0; i < scene.textures.size(); ++i) {
     std::int32_t& image = scene.textures[i].image;
     if (!used[i]) {
@@ -116,13 +126,18 @@ std::vector<Source> assign_images(Context& context, const Buffers& buffers) {
       context.root["textures"].at(i).warn("has no image that can be read; it is white");
       continue;
     }
-    const auto index = static_cast<std::uint32_t>(image);
-    const auto glossiness = own ? std::optional(context.glossiness_factors[i - texture_count]) : std::nullopt;
-    const auto [place, added] = places.emplace(std::pair(index, glossiness), static_cast<std::int32_t>(sources.size()));
-    if (added) sources.push_back({list.at(index), index, glossiness, {}, {}, {}});
-    image = place->second;
+    image = table.place_of(image, own ? std::optional(context.glossiness_factors[i - texture_count]) : std::nullopt);
   }
-  return sources;
+}
+
+// Points textures and lights at the table of decoded images, and lists the sources of those images in its order.
+std::vector<Source> assign_images(Context& context, const Buffers& buffers) {
+  Table table{context.root["images"]};
+  for (const Value& image : table.images.elements()) check_image(image, buffers);
+  assign_textures(context, table);
+  for (Light& light : context.scene.lights)
+    if (light.projector.present()) light.projector.image = table.place_of(light.projector.image, std::nullopt);
+  return std::move(table.sources);
 }
 
 void check_sizes(const std::vector<Source>& sources, const GltfLimits& limits) {

@@ -306,14 +306,29 @@ float Value::clamped_or(float fallback, float lowest, float highest) const {
   return nearest;
 }
 
-std::optional<float> Value::extra(std::string_view name) const {
-  const Value extras = (*this)["extras"];
-  if (!extras || !extras.json_->is_object()) return std::nullopt;
-  const Value member = extras[name];
-  if (!member || !member.json_->is_number()) return std::nullopt;
-  const double value = member.json_->get<double>();
-  if (!(value > 0.0 && value <= std::numeric_limits<float>::max())) return std::nullopt;
-  return static_cast<float>(value);
+Value Value::extra_member(std::string_view name) const {
+  const Value extras = is_object() ? (*this)["extras"] : Value();
+  return extras.is_object() ? extras[name] : Value();
+}
+
+bool Value::is_object() const {
+  return json_ != nullptr && json_->is_object();
+}
+
+bool Value::is_array() const {
+  return json_ != nullptr && json_->is_array();
+}
+
+bool Value::is_text() const {
+  return json_ != nullptr && json_->is_string();
+}
+
+bool Value::is_boolean() const {
+  return json_ != nullptr && json_->is_boolean();
+}
+
+bool Value::is_number() const {
+  return json_ != nullptr && json_->is_number() && std::abs(json_->get<double>()) <= std::numeric_limits<float>::max();
 }
 
 void Value::read_numbers(std::span<float> out) const {

@@ -83,9 +83,14 @@ class Value {
   // A factor out of its range has one plausible reading: the nearest value in the range, with a warning.
   [[nodiscard]] float clamped_or(float fallback, float lowest, float highest) const;
 
-  // The member of this name of the object's extras, where it is a number above 0. Extras belong to applications and may
-  // be anything, so nothing else there is an error.
-  [[nodiscard]] std::optional<float> extra(std::string_view name) const;
+  // What applications put beside glTF may be anything, so it is asked before it is read: a member of the object's
+  // extras, absent where the extras are no object or have none of this name.
+  [[nodiscard]] Value extra_member(std::string_view name) const;
+  [[nodiscard]] bool is_object() const;
+  [[nodiscard]] bool is_array() const;
+  [[nodiscard]] bool is_text() const;
+  [[nodiscard]] bool is_boolean() const;
+  [[nodiscard]] bool is_number() const;  // that number() takes
 
   // An array of exactly as many numbers as the glm type has.
   template <class Vector>

@@ -49,7 +49,7 @@ void check_instances(Context& context);
 
 void read_animations(Context& context, Accessors& accessors);
 
-// Decodes, on all cores, the images that materials of the shown scene use, each once.
+// Decodes, on all cores, the images that materials of the shown scene and lights use, each once.
 void read_images(Context& context, const Buffers& buffers);
 
 }  // namespace velarium::scene::gltf

@@ -91,6 +91,7 @@ class MomentBuilder {
       if (node.light != kNone) add_light(node, world_[i]);
       if (node.camera != kNone) add_camera(node, world_[i]);
     }
+    for (const ClipVolume& volume : scene_.clip_volumes) moment_.world_from_clip_volume.push_back(world_[volume.node]);
     moment_.deformed = deformed_vertices(deformations_);
     for (Instance& instance : moment_.instances) {
       instance.bounds = object_bounds(instance).transformed(instance.world_from_object);
@@ -133,8 +134,9 @@ class MomentBuilder {
   }
 
   void add_light(const Node& node, const glm::mat4& world) {
+    const glm::mat4 frame = rigid(world);
     LightInstance instance{scene_.lights[static_cast<std::size_t>(node.light)], glm::vec3(world[3]),
-                           world_axis(world, {0, 0, -1}, {0, 0, -1})};
+                           -glm::vec3(frame[2]), glm::vec3(frame[0])};
     if (instance.light.name.empty()) instance.light.name = node.name;
     moment_.lights.push_back(std::move(instance));
   }

@@ -21,6 +21,7 @@ struct LightInstance {
   Light light;
   glm::vec3 position{0.0f};         // world space, metres
   glm::vec3 direction{0.0f, 0.0f, -1.0f};  // world space, unit, where the light shines to
+  glm::vec3 right{1.0f, 0.0f, 0.0f};       // world space, unit, at right angles to it: +X of the node
 };
 
 struct CameraInstance {
@@ -33,6 +34,7 @@ struct Moment {
   std::vector<VertexFrames> deformed;
   std::vector<LightInstance> lights;
   std::vector<CameraInstance> cameras;
+  std::vector<glm::mat4> world_from_clip_volume;  // by Scene::clip_volumes, whether their nodes are shown or not
   Aabb bounds;                      // world space, of everything drawn; empty where nothing is
 };
 

@@ -165,15 +165,32 @@ struct Camera {
 
 enum class LightKind : std::uint8_t { directional, point, spot };
 
-struct Light {                      // KHR_lights_punctual: shines along -Z of its node
+// How a lamp's light falls off with distance. Both are the irradiance of a sphere exactly; they differ in their unit.
+enum class Falloff : std::uint8_t {
+  inverse_square,  // intensity in candela; KHR_lights_punctual's window at `range`
+  bulb,            // intensity in lux at 1 m from the bulb's surface; fades over the last fifth of `range`
+};
+
+// A picture that a spot light throws along its axis.
+struct Projector {
+  std::int32_t image = kNone;  // into Scene::images
+  float field_of_view = 0.0f;  // radians, of the picture's longer side
+  float soft_edge = 0.1f;      // share of half the field of view over which the picture fades to its border
+  [[nodiscard]] bool present() const { return image != kNone; }
+};
+
+struct Light {  // KHR_lights_punctual: shines along -Z of its node. What else there is comes from extras: docs/lights.md
   std::string name;
   LightKind kind = LightKind::point;
   glm::vec3 color{1.0f};
-  float intensity = 1.0f;           // lux (directional) or candela
-  float range = 0.0f;               // metres; 0: infinite
-  bool casts_shadow = true;         // extras.casts_shadow
-  float radius = 0.0f;              // of a bulb whose light this is, metres; 0: a point. From extras.radius
+  float intensity = 1.0f;  // lux (directional), else as `falloff` says
+  Falloff falloff = Falloff::inverse_square;
+  float range = 0.0f;  // metres; 0: infinite
+  bool casts_shadow = true;
+  float radius = 0.0f;          // of a bulb whose light this is, metres; 0: a point
+  float angular_radius = 0.0f;  // directional: of the disc that is seen, radians; 0: one direction
   float inner_cone = 0.0f, outer_cone = 0.7853982f;  // radians from the axis
+  Projector projector;                               // spot
 };
 
 // --- animation --------------------------------------------------------------------------------------------------

@@ -18,6 +18,22 @@ float gpu_kind(scene::LightKind kind) {
   return shading::kLightPoint;
 }
 
+float gpu_falloff(scene::Falloff falloff) {
+  return falloff == scene::Falloff::bulb ? shading::kFalloffBulb : shading::kFalloffInverseSquare;
+}
+
+GpuLight gpu_light(const scene::LightInstance& instance, const glm::dvec3& eye) {
+  const scene::Light& light = instance.light;
+  const glm::vec2 cone = shading::spot_scale_offset(light.inner_cone, light.outer_cone);
+  const bool directional = light.kind == scene::LightKind::directional;
+  const float size = directional ? std::sin(light.angular_radius) : light.radius;
+  return {.position_range = glm::vec4(glm::vec3(glm::dvec3(instance.position) - eye), light.range),
+          .direction = glm::vec4(instance.direction, gpu_kind(light.kind)),
+          .color = glm::vec4(light.color * light.intensity, size),
+          .cone = {cone.x, cone.y, std::cos(light.outer_cone), gpu_falloff(light.falloff)},
+          .flags = light.casts_shadow ? shading::kLightCastsShadow : 0u};
+}
+
 std::uint32_t sun_of(const std::vector<GpuLight>& lights) {
   std::uint32_t sun = kNoSun;
   float brightest = 0.0f;
@@ -41,14 +57,7 @@ glm::vec4 bounding_sphere(const GpuLight& light) {
 
 std::vector<GpuLight> gpu_lights(const std::vector<scene::LightInstance>& lights, const glm::dvec3& eye) {
   std::vector<GpuLight> result;
-  for (const auto& [light, position, direction] : lights) {
-    const glm::vec2 cone = shading::spot_scale_offset(light.inner_cone, light.outer_cone);
-    result.push_back({.position_range = glm::vec4(glm::vec3(glm::dvec3(position) - eye), light.range),
-                      .direction = glm::vec4(direction, gpu_kind(light.kind)),
-                      .color = glm::vec4(light.color * light.intensity, light.radius),
-                      .cone = {cone.x, cone.y, std::cos(light.outer_cone), shading::kFalloffInverseSquare},
-                      .flags = light.casts_shadow ? shading::kLightCastsShadow : 0u});
-  }
+  for (const auto& instance : lights) result.push_back(gpu_light(instance, eye));
   std::stable_sort(result.begin(), result.end(),
                    [](const GpuLight& a, const GpuLight& b) { return a.direction.w < b.direction.w; });
   return result;
