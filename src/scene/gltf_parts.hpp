@@ -49,6 +49,10 @@ void check_instances(Context& context);
 
 void read_animations(Context& context, Accessors& accessors);
 
+// Volumes that lights end at, and which light at which: after all that needs the meshes of their nodes, which it takes
+// away.
+void read_clip_volumes(Context& context);
+
 // Decodes, on all cores, the images that materials of the shown scene and lights use, each once.
 void read_images(Context& context, const Buffers& buffers);
 

@@ -190,7 +190,17 @@ struct Light {  // KHR_lights_punctual: shines along -Z of its node. What else t
   float radius = 0.0f;          // of a bulb whose light this is, metres; 0: a point
   float angular_radius = 0.0f;  // directional: of the disc that is seen, radians; 0: one direction
   float inner_cone = 0.0f, outer_cone = 0.7853982f;  // radians from the axis
+  std::int32_t clip_volume = kNone;                  // that it ends at. From extras.clip_volume
   Projector projector;                               // spot
+};
+
+// A convex volume that lights may end at: extras.clip_volume of a node. Never drawn.
+struct ClipVolume {
+  std::string name;  // no two have the same
+  std::uint32_t node = 0;
+  // In the space of the node. xyz: unit, inward; the inside is where dot(xyz, p) + w >= 0 for all.
+  std::vector<glm::vec4> planes;
+  Aabb bounds;
 };
 
 // --- animation --------------------------------------------------------------------------------------------------
@@ -231,6 +241,7 @@ struct Scene {
   std::vector<Skin> skins;
   std::vector<Camera> cameras;
   std::vector<Light> lights;
+  std::vector<ClipVolume> clip_volumes;
   std::vector<Animation> animations;
   std::vector<std::string> variants;   // KHR_materials_variants; primitives have the materials of the one asked for
   std::vector<std::string> extensions_used, extensions_required;
