@@ -18,6 +18,7 @@ gpu::Specialization shading_constants(const ShadingInputs& in) {
   constants[3] = lighting.occlusion ? 1u : 0u;
   constants[4] = in.environment.present ? 1u : 0u;
   constants[5] = in.environment.diffuse == DiffuseEnvironment::sh ? 1u : 0u;
+  constants[9] = in.scene.clip_volumes ? 1u : 0u;
   return constants;
 }
 
@@ -34,7 +35,9 @@ void bind(graph::SetWriter& set, const ShadingInputs& in) {
   set.sampled(0, in.environment.specular)
       .sampled(1, in.environment.brdf_table)
       .buffer(2, in.scene.lights)
-      .sampled(4, in.environment.irradiance);
+      .sampled(4, in.environment.irradiance)
+      // Where there are none, something is bound and never read.
+      .buffer(13, in.scene.clip_volumes ? in.scene.clip_volumes : in.scene.lights);
 }
 
 void bind(graph::SetWriter& set, const GBuffer& in) {

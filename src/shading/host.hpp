@@ -57,6 +57,7 @@ using glm::sqrt;
 #include "shading/attenuation.glsl"
 #include "shading/brdf.glsl"
 #include "shading/cascades.glsl"
+#include "shading/clip_volume.glsl"
 #include "shading/color.glsl"
 #include "shading/constants.glsl"
 #include "shading/depth.glsl"

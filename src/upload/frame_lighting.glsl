@@ -6,6 +6,7 @@
 
 #include "shading/brdf.glsl"
 #include "shading/environment.glsl"
+#include "upload/clip_volumes.glsl"
 #include "upload/gpu_structs.glsl"
 
 layout(set = 1, binding = 0) uniform samplerCube environment_map;      // pre-convolved levels
@@ -87,6 +88,7 @@ uint tile_light_word(uint word, uint first, uint end) {
 
 // What of a lamp's light goes towards the eye.
 vec3 reflected(ShadingPoint p, GpuLight l, LightSample light) {
+  if (!inside_clip_volume(l.clip_volume, p.position_ws, p.surface.normal_ws)) return vec3(0.0);
   float alpha = max(p.alpha, kMinAlphaPunctual);
   return evaluate_brdf(p.surface, alpha, p.wo, light.wi, p.specular_scale, kModel) * light.irradiance;
 }

@@ -60,6 +60,7 @@ struct SceneTables {
   std::vector<GpuLight> host_lights;
   gpu::Buffer lights;        // the same
   gpu::Buffer light_bounds;  // view space spheres
+  gpu::Buffer clip_volumes;  // ClipVolumeTable; null where no light ends at a volume
   LightRanges light_ranges;
   gpu::Buffer shadow_views;  // ShadowView, of point and spot lights; null where none has a map
   gpu::Buffer frame;         // FrameUniforms, mapped: rewritten before each frame

@@ -31,6 +31,7 @@ GpuLight gpu_light(const scene::LightInstance& instance, const glm::dvec3& eye) 
           .direction = glm::vec4(instance.direction, gpu_kind(light.kind)),
           .color = glm::vec4(light.color * light.intensity, size),
           .cone = {cone.x, cone.y, std::cos(light.outer_cone), gpu_falloff(light.falloff)},
+          .clip_volume = static_cast<std::uint32_t>(light.clip_volume + 1),
           .flags = light.casts_shadow ? shading::kLightCastsShadow : 0u};
 }
 

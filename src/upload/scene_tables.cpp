@@ -1,5 +1,6 @@
 #include "upload/scene_tables.hpp"
 
+#include "upload/clip_volumes.hpp"
 #include "upload/lights.hpp"
 #include "upload/transfer.hpp"
 
@@ -62,7 +63,13 @@ SceneTables make_scene_tables(gpu::Device& device, const GpuScene& scene, const 
                   [](const GpuLight& light) { return (light.flags & shading::kLightCastsShadow) != 0; }))
     tables.casters = make_casters(scene.scene(), moment, view.eye);
   tables.caster_objects = make_buffer(device, tables.casters.objects, kStorage);
-  tables.light_bounds = make_buffer(device, light_bounds(lights, view.view_from_world), kStorage);
+  auto bounds = light_bounds(lights, view.view_from_world);
+  if (any_clipped(lights)) {
+    const auto volumes = make_clip_volumes(scene.scene(), moment, view.eye);
+    limit_to_clip_volumes(lights, volumes, view.view_from_world, bounds);
+    tables.clip_volumes = make_buffer(device, volumes.records, kStorage);
+  }
+  tables.light_bounds = make_buffer(device, bounds, kStorage);
   tables.lights = make_buffer(device, lights, kStorage);
   tables.host_lights = std::move(lights);
   tables.frame = gpu::Buffer(device, sizeof(FrameUniforms), kStorage, gpu::MemoryUse::upload);
