@@ -5,7 +5,7 @@
 namespace velarium {
 
 enum class Sync { normal, paranoid };
-enum class ShadingModel { gltf, ryse };
+enum class ShadingModel { gltf, ryse, blinn_phong };
 enum class DiffuseEnvironment { map, sh };
 enum class ExposureMode { manual, ev100, automatic };
 enum class Tonemap { neutral, agx, aces, linear };

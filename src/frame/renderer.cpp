@@ -29,9 +29,8 @@ gpu::Image make_image(gpu::Device& device, const gpu::ImageDesc& desc, std::span
   return std::move(upload::make_images(device, sources).front());
 }
 
-gpu::Image make_brdf_table(gpu::Device& device, ShadingModel model) {
-  const auto values = bake::cached_environment_brdf(
-      kBrdfTableSize, model == ShadingModel::ryse ? shading::kModelRyse : shading::kModelGltf);
+gpu::Image make_brdf_table(gpu::Device& device, std::uint32_t model) {
+  const auto values = bake::cached_environment_brdf(kBrdfTableSize, model);
   std::vector<std::uint32_t> packed;
   for (const auto& value : values)
     packed.push_back(glm::packHalf1x16(value.x) | std::uint32_t{glm::packHalf1x16(value.y)} << 16u);
@@ -74,8 +73,9 @@ Renderer::Renderer(gpu::Toolbox& tools) : tools_(tools), executor_(tools) {
 }
 
 const gpu::Image& Renderer::brdf_table(ShadingModel model) {
-  auto& table = brdf_tables_[static_cast<std::size_t>(model)];
-  if (!table) table = make_brdf_table(tools_.device, model);
+  const std::uint32_t tabled = shading::environment_model(static_cast<std::uint32_t>(model));
+  auto& table = brdf_tables_[tabled];
+  if (!table) table = make_brdf_table(tools_.device, tabled);
   return table;
 }
 

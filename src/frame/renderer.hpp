@@ -41,7 +41,7 @@ class Renderer {
   gpu::Toolbox& tools_;
   graph::Executor executor_;
   gpu::Image normal_lengths_, black_, black_cube_;
-  gpu::Image brdf_tables_[2];  // by ShadingModel, made when first asked for
+  gpu::Image brdf_tables_[2];  // by shading::environment_model(), made when first asked for
   gpu::Image sum_;
 };
 

@@ -9,11 +9,9 @@ constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_N
 
 gpu::Specialization shading_constants(const ShadingInputs& in) {
   const auto& lighting = in.settings.lighting;
-  const bool ryse = lighting.model == ShadingModel::ryse;
-  // Compensation would undo the darkening that Ryse's visibility term is meant to have.
-  const bool multi_scatter = lighting.multi_scatter && !ryse;
+  const bool multi_scatter = lighting.multi_scatter && lighting.model == ShadingModel::gltf;
   gpu::Specialization constants(kSharedConstants);
-  constants[1] = ryse ? shading::kModelRyse : shading::kModelGltf;
+  constants[1] = static_cast<std::uint32_t>(lighting.model);
   constants[2] = multi_scatter ? 1u : 0u;
   constants[3] = lighting.occlusion ? 1u : 0u;
   constants[4] = in.environment.present ? 1u : 0u;

@@ -18,9 +18,10 @@ constexpr float kLeastShare = 0.1f;
 
 // Estimated directional albedo of the specular lobe for f0 = f90 = 1: fits to the integrals that src/bake tables, 0.25
 // off at the worst, near the edge. Smith loses what rough surfaces bounce more than once; Ryse's k darkens on both
-// sides.
+// sides, and so does Blinn-Phong's masking: (n.v)^2 of a mirror, 1/4 at alpha 1.
 float white_specular_albedo(float n_dot_v, float alpha, std::uint32_t model) {
-  if (model != shading::kModelRyse) return 1.0f - 0.69f * alpha * std::sqrt(n_dot_v);
+  if (model == shading::kModelBlinnPhong) return glm::mix(n_dot_v * n_dot_v, 0.25f, alpha);
+  if (model == shading::kModelGltf) return 1.0f - 0.69f * alpha * std::sqrt(n_dot_v);
   const float k = shading::ryse_k(alpha);
   const float masking = n_dot_v / (n_dot_v * (1.0f - k) + k);
   return glm::mix(masking * masking, 0.28f, alpha);

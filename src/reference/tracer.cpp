@@ -16,7 +16,6 @@ constexpr float kMostSharpness = 4.0f;
 
 Transport transport_of(const Job& job) {
   const auto& s = job.settings;
-  const bool ryse = s.lighting.model == ShadingModel::ryse;
   const auto bounces = static_cast<std::uint32_t>(s.reference.max_bounces) + 1;
   Transport t;
   switch (s.reference.transport) {
@@ -34,8 +33,9 @@ Transport transport_of(const Job& job) {
   t.environment = s.reference.transport != velarium::Transport::direct;
   t.shadows = s.reference.shadows;
   t.clamp = s.reference.clamp;
-  t.model = ryse ? shading::kModelRyse : shading::kModelGltf;
-  t.multi_scatter = s.lighting.multi_scatter && !ryse;
+  t.min_highlight_alpha = s.lighting.min_highlight_alpha;
+  t.model = static_cast<std::uint32_t>(s.lighting.model);
+  t.multi_scatter = s.lighting.multi_scatter && s.lighting.model == ShadingModel::gltf;
   t.background = job.background;
   t.opaque_background = job.opaque_background;
   t.sharpness = std::min(std::sqrt(static_cast<float>(s.reference.spp)), kMostSharpness);
@@ -65,8 +65,8 @@ Result trace(const Job& job) {
   const std::vector<Object> objects = objects_of(job.scene, job.moment, eye);
   const Materials materials(job.scene);
   const Geometry geometry(objects, materials);
-  const Lights lights(s.lighting.punctual ? job.lamps : std::vector<shading::GpuLight>{}, job.environment,
-                      s.environment.rotation, s.environment.intensity, objects, materials);
+  const Lights lights(job.lamps, job.projectors, job.environment, s.environment.rotation, s.environment.intensity,
+                      objects, materials);
   const Camera camera(job.camera, job.width, job.height);
   const EnergyTable energy(job.energy, job.energy_size);
   const PathTracer tracer({camera, objects, materials, geometry, lights, energy}, transport_of(job),

@@ -8,9 +8,9 @@
 #include "shading/microfacet.glsl"
 #include "shading/surface.glsl"
 
-// Share of the light that is left for diffuse reflection. glTF: 1 - the largest channel of what the interface reflects
-// (appendix B.3.4 and KHR_materials_specular, so that a tint does not colour the diffuse part by its complement).
-// Ryse: 1 - luminance of f0.
+// Share of the light that is left for diffuse reflection. Ryse: 1 - luminance of f0. Others: 1 - the largest channel of
+// what the interface reflects (glTF 2.0, appendix B.3.4, and KHR_materials_specular, so that a tint does not colour the
+// diffuse part by its complement).
 FN float diffuse_share(vec3 f0, vec3 reflected, uint model) {
   float taken = model == kModelRyse ? luminance(f0) : max_component(reflected);
   return clamp(1.0f - taken, 0.0f, 1.0f);
@@ -33,7 +33,7 @@ FN vec3 evaluate_brdf_bent(IN(Surface) s, float alpha, vec3 wo, vec3 wi, float n
   vec3 n_cross_h = cross(s.normal_ws, half_vector(wo, bent));
 
   vec3 fresnel = fresnel_schlick(s.f0, f90_from_f0(s.f0), clamp(dot(wo, h), 0.0f, 1.0f));
-  float d = d_ggx_from_sin2(min(dot(n_cross_h, n_cross_h), 1.0f), alpha);
+  float d = distribution(model, min(dot(n_cross_h, n_cross_h), 1.0f), alpha);
   vec3 specular = fresnel * specular_scale * (d * visibility(model, n_dot_l, n_dot_v, alpha));
 
   float bracket = diffuse(model, n_dot_l, n_dot_v, dot(wo, wi), alpha);
@@ -54,11 +54,17 @@ FN vec2 environment_brdf_uv(float n_dot_v, float smoothness, float size) {
   return (vec2(n_dot_v, smoothness) * (size - 1.0f) + vec2(0.5f)) / size;
 }
 
+// Whose table that is: the legacy model has none of its own, so that environments shine as on glTF's.
+FN uint environment_model(uint model) {
+  return model == kModelRyse ? kModelRyse : kModelGltf;
+}
+
 // env_brdf: (E0, E1), directional albedo of the specular lobe for f0 = 0 and f0 = 1 (with f90 = 1), read from the table
 // of src/bake at (n.v, smoothness) [Lazarov 2013; Karis 2013].
 
 // What single-scattering microfacets lose to bounces between facets, given back [Turquin 2019, eq. 16]:
-// 1 + f0 (1 / E1 - 1). For the glTF model alone: it would undo Ryse's darkening.
+// 1 + f0 (1 / E1 - 1). For the glTF model alone: it would undo the darkening that Ryse's visibility term is meant to have,
+// and knows nothing of Blinn-Phong's.
 FN vec3 energy_compensation(vec3 f0, vec2 env_brdf) {
   require(env_brdf.y > 0.0f);
   return vec3(1.0f) + f0 * (1.0f / env_brdf.y - 1.0f);

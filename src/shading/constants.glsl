@@ -11,5 +11,6 @@ const float kInvPi = 0.318309886183791f;
 // Which reflectance model shades a surface; the order of velarium::ShadingModel.
 const uint kModelGltf = 0u;  // glTF 2.0, appendix B: height-correlated Smith, Lambert
 const uint kModelRyse = 1u;  // Ryse (Schulz, GDC 2014): Schlick-Smith with its own k, Oren-Nayar
+const uint kModelBlinnPhong = 2u;  // CryENGINE 3 (SIGGRAPH 2011): normalised Blinn-Phong, Lambert
 
 #endif

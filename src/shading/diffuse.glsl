@@ -49,7 +49,7 @@ FN float fujii_weight_from_alpha(float alpha) {
   return clamp(oren_nayar_b(q) / oren_nayar_a(q), 0.0f, 1.0f);
 }
 
-// The bracket of one of the models: Lambert (glTF) or Fujii (Ryse).
+// The bracket of one of the models: Lambert (glTF, Blinn-Phong) or Fujii (Ryse).
 FN float diffuse(uint model, float n_dot_l, float n_dot_v, float l_dot_v, float alpha) {
   return model == kModelRyse ? diffuse_fujii(n_dot_l, n_dot_v, l_dot_v, fujii_weight_from_alpha(alpha)) : 1.0f;
 }

@@ -1,4 +1,4 @@
-// Specular reflection by GGX microfacets: f = D F Vis. Angles are cosines; "per steradian" is of half vectors.
+// Specular reflection by microfacets: f = D F Vis. Angles are cosines; "per steradian" is of half vectors.
 #ifndef VEL_SHADING_MICROFACET_GLSL
 #define VEL_SHADING_MICROFACET_GLSL
 
@@ -44,8 +44,37 @@ FN float visibility_ryse(float n_dot_l, float n_dot_v, float alpha) {
   return 0.25f / ((n_dot_l * (1.0f - k) + k) * (n_dot_v * (1.0f - k) + k));
 }
 
-// Vis of one of the models kModelGltf, kModelRyse.
+// log2(1 - x), x in [0, 1]: where x is small 1 - x has few of its digits left in fp32, so the logarithm's series takes
+// over while its next term, x^6 / 6, is below a step of the result.
+FN float log2_one_minus(float x) {
+  require(x >= 0.0f && x <= 1.0f);
+  float series = -1.44269504f * x * (1.0f + x * (1.0f / 2.0f + x * (1.0f / 3.0f + x * (1.0f / 4.0f + x * (1.0f / 5.0f)))));
+  return x < 0.0625f ? series : log2(max(1.0f - x, 1e-30f));
+}
+
+// The exponent n of the Blinn-Phong lobe that peaks as high as the GGX lobe of this width: (n + 2) / (2 pi) = 1 / (pi
+// alpha^2). alpha in (0, 1]. CryENGINE's own n = 2^(10 gloss + 1) belongs to gloss maps made for it; its 2048 is the
+// smoothness 0.63, and what is smoother would all look alike.
+FN float blinn_phong_exponent(float alpha) {
+  require(alpha > 0.0f && alpha <= 1.0f);
+  return 2.0f / (alpha * alpha) - 2.0f;
+}
+
+// Normalised Blinn-Phong distribution (n + 2) / (2 pi) (n.h)^n [Hoffman 2010; Blinn 1977], per steradian: the hemisphere
+// integral of D cos(theta_h) is 1. From |n x h|^2, as d_ggx_from_sin2.
+FN float d_blinn_phong_from_sin2(float sin2_theta_h, float alpha) {
+  return kInvPi / (alpha * alpha) * exp2(0.5f * blinn_phong_exponent(alpha) * log2_one_minus(sin2_theta_h));
+}
+
+// D of one of the models.
+FN float distribution(uint model, float sin2_theta_h, float alpha) {
+  return model == kModelBlinnPhong ? d_blinn_phong_from_sin2(sin2_theta_h, alpha)
+                                   : d_ggx_from_sin2(sin2_theta_h, alpha);
+}
+
+// Vis of one of the models. Blinn-Phong's 1/4 is what the masking n.l n.v leaves, which Hoffman 2010 calls implicit.
 FN float visibility(uint model, float n_dot_l, float n_dot_v, float alpha) {
+  if (model == kModelBlinnPhong) return 0.25f;
   return model == kModelRyse ? visibility_ryse(n_dot_l, n_dot_v, alpha) : visibility_smith(n_dot_l, n_dot_v, alpha);
 }
 

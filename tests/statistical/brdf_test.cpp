@@ -14,7 +14,7 @@ namespace {
 
 using namespace shading;
 
-constexpr std::array kModels{kModelGltf, kModelRyse};
+constexpr std::array kModels{kModelGltf, kModelRyse, kModelBlinnPhong};
 constexpr double kTolerance = 2e-3;  // of the tabled integrals
 
 Surface make_surface(float albedo, float f0) {
@@ -59,18 +59,23 @@ struct SpecularRow {
 };
 
 const SpecularRow kSpecularRows[] = {
-    {kModelRyse, 0.0f, 0.05f, 0.0078, 0.3096},  {kModelRyse, 0.0f, 0.25f, 0.0040, 0.2988},
-    {kModelRyse, 0.0f, 0.5f, 0.0015, 0.2862},   {kModelRyse, 0.0f, 1.0f, 0.0000, 0.2640},
-    {kModelRyse, 0.25f, 0.05f, 0.0253, 0.2502}, {kModelRyse, 0.25f, 0.5f, 0.0080, 0.4663},
-    {kModelRyse, 0.5f, 0.05f, 0.0268, 0.0783},  {kModelRyse, 0.5f, 0.25f, 0.0461, 0.2614},
-    {kModelRyse, 0.5f, 0.75f, 0.0011, 0.7827},  {kModelRyse, 1.0f, 0.05f, 0.0154, 0.0199},
-    {kModelRyse, 1.0f, 0.25f, 0.0617, 0.2601},  {kModelRyse, 1.0f, 1.0f, 0.0000, 1.0000},
-    {kModelGltf, 0.0f, 0.05f, 0.0321, 0.8478},  {kModelGltf, 0.0f, 0.25f, 0.0109, 0.5976},
-    {kModelGltf, 0.0f, 0.5f, 0.0030, 0.4507},   {kModelGltf, 0.0f, 1.0f, 0.0000, 0.3069},
-    {kModelGltf, 0.25f, 0.05f, 0.1287, 0.9305}, {kModelGltf, 0.25f, 0.5f, 0.0181, 0.8113},
-    {kModelGltf, 0.5f, 0.05f, 0.4058, 0.9004},  {kModelGltf, 0.5f, 0.25f, 0.1917, 0.9476},
-    {kModelGltf, 0.5f, 0.75f, 0.0017, 0.9908},  {kModelGltf, 1.0f, 0.05f, 0.7736, 0.9999},
-    {kModelGltf, 1.0f, 0.25f, 0.2373, 1.0000},  {kModelGltf, 1.0f, 1.0f, 0.0000, 1.0000}};
+    {kModelRyse, 0.0f, 0.05f, 0.0078, 0.3096},        {kModelRyse, 0.0f, 0.25f, 0.0040, 0.2988},
+    {kModelRyse, 0.0f, 0.5f, 0.0015, 0.2862},         {kModelRyse, 0.0f, 1.0f, 0.0000, 0.2640},
+    {kModelRyse, 0.25f, 0.05f, 0.0253, 0.2502},       {kModelRyse, 0.25f, 0.5f, 0.0080, 0.4663},
+    {kModelRyse, 0.5f, 0.05f, 0.0268, 0.0783},        {kModelRyse, 0.5f, 0.25f, 0.0461, 0.2614},
+    {kModelRyse, 0.5f, 0.75f, 0.0011, 0.7827},        {kModelRyse, 1.0f, 0.05f, 0.0154, 0.0199},
+    {kModelRyse, 1.0f, 0.25f, 0.0617, 0.2601},        {kModelRyse, 1.0f, 1.0f, 0.0000, 1.0000},
+    {kModelGltf, 0.0f, 0.05f, 0.0321, 0.8478},        {kModelGltf, 0.0f, 0.25f, 0.0109, 0.5976},
+    {kModelGltf, 0.0f, 0.5f, 0.0030, 0.4507},         {kModelGltf, 0.0f, 1.0f, 0.0000, 0.3069},
+    {kModelGltf, 0.25f, 0.05f, 0.1287, 0.9305},       {kModelGltf, 0.25f, 0.5f, 0.0181, 0.8113},
+    {kModelGltf, 0.5f, 0.05f, 0.4058, 0.9004},        {kModelGltf, 0.5f, 0.25f, 0.1917, 0.9476},
+    {kModelGltf, 0.5f, 0.75f, 0.0017, 0.9908},        {kModelGltf, 1.0f, 0.05f, 0.7736, 0.9999},
+    {kModelGltf, 1.0f, 0.25f, 0.2373, 1.0000},        {kModelGltf, 1.0f, 1.0f, 0.0000, 1.0000},
+    {kModelBlinnPhong, 0.0f, 0.05f, 0.0061, 0.2500},  {kModelBlinnPhong, 0.0f, 0.5f, 0.0012, 0.2500},
+    {kModelBlinnPhong, 0.25f, 0.05f, 0.0090, 0.0575}, {kModelBlinnPhong, 0.25f, 0.5f, 0.0046, 0.2752},
+    {kModelBlinnPhong, 0.25f, 1.0f, 0.0000, 0.8192},  {kModelBlinnPhong, 0.5f, 0.05f, 0.0040, 0.0074},
+    {kModelBlinnPhong, 0.5f, 0.25f, 0.0137, 0.0671},  {kModelBlinnPhong, 0.5f, 0.75f, 0.0006, 0.5586},
+    {kModelBlinnPhong, 1.0f, 0.05f, 0.0019, 0.0025},  {kModelBlinnPhong, 1.0f, 0.5f, 0.0078, 0.2500}};
 
 TEST(Brdf, SpecularLobeReflectsTheTabledShare) {
   for (const SpecularRow& row : kSpecularRows) {
@@ -100,13 +105,16 @@ TEST(Brdf, CompensatedWhiteMetalVanishesInTheFurnace) {
   }
 }
 
-// Ryse's masking does not fade with the width of the lobe: its white mirror reflects (n.v / (0.68 n.v + 0.32))^2.
+// Ryse's masking does not fade with the width of the lobe: its white mirror reflects (n.v / (0.68 n.v + 0.32))^2. Nor
+// does Blinn-Phong's, n.l n.v: its mirror reflects (n.v)^2.
 TEST(Brdf, MirrorLimits) {
   for (const float n_dot_v : {0.05f, 0.25f, 0.5f, 0.75f, 1.0f}) {
     const double share = std::pow(n_dot_v / (0.68 * n_dot_v + 0.32), 2.0);
     const Surface mirror = make_surface(0.0f, 1.0f);
     EXPECT_NEAR(sampled_albedo(mirror, kMinAlpha, at_cosine(n_dot_v), kModelRyse), share, kTolerance) << n_dot_v;
     EXPECT_NEAR(sampled_albedo(mirror, kMinAlpha, at_cosine(n_dot_v), kModelGltf), 1.0, kTolerance) << n_dot_v;
+    EXPECT_NEAR(sampled_albedo(mirror, kMinAlpha, at_cosine(n_dot_v), kModelBlinnPhong), n_dot_v * n_dot_v, kTolerance)
+        << n_dot_v;
   }
 }
 
@@ -227,9 +235,10 @@ TEST(Brdf, SamplesAddUpToTheIntegral) {
 
 // A lobe's weight is at most 1 over the chance to choose it, which is at least 1/10; from behind as well as from above.
 // Ryse's diffuse lobe is not chosen by its own shape: light that returns to a grazing eye weighs up to r / max(n.l,
-// n.v) more, where Fujii's r is at most 0.58.
+// n.v) more, where Fujii's r is at most 0.58. Nor is Blinn-Phong's: it exceeds the GGX lobe of the same peak by 4/e.
 float largest_weight(uint model, const Surface& s, const vec3& wo, const vec3& wi) {
   if (model == kModelGltf) return 10.1f;
+  if (model == kModelBlinnPhong) return 10.1f * 4.0f / 2.71828f;
   const float cosine = std::max(std::abs(glm::dot(s.normal_ws, wo)), glm::dot(s.normal_ws, wi));
   return 10.1f * (1.0f + 0.6f / std::max(cosine, 1e-4f));
 }
@@ -242,13 +251,13 @@ TEST(Brdf, WeightsAreBounded) {
     const float alpha = std::max(std::pow(random.uniform(), 3.0f), kMinAlpha);
     const vec3 wo = random.direction();
     const float u_lobe = random.uniform();
+    const uint model = kModels[i % kModels.size()];
     const auto sample =
-        reference::sample_brdf(s, alpha, wo, vec3(1.0f), kModels[i % 2], u_lobe, {random.uniform(), random.uniform()});
+        reference::sample_brdf(s, alpha, wo, vec3(1.0f), model, u_lobe, {random.uniform(), random.uniform()});
     if (!sample) continue;
     ASSERT_GT(sample->pdf_sr, 0.0f);
-    ASSERT_LE(sample->weight.y, largest_weight(kModels[i % 2], s, wo, sample->wi))
-        << alpha << ' ' << wo.z << ' ' << s.f0.x;
-    ASSERT_NEAR(reference::pdf_sr_brdf(s, alpha, wo, sample->wi, vec3(1.0f), kModels[i % 2]), sample->pdf_sr,
+    ASSERT_LE(sample->weight.y, largest_weight(model, s, wo, sample->wi)) << alpha << ' ' << wo.z << ' ' << s.f0.x;
+    ASSERT_NEAR(reference::pdf_sr_brdf(s, alpha, wo, sample->wi, vec3(1.0f), model), sample->pdf_sr,
                 1e-5f * sample->pdf_sr);
   }
 }
@@ -263,7 +272,7 @@ TEST(Brdf, GrazingViewsAreSampled) {
     const float height = (i % 5 < 3 ? 1.0f : -1.0f) * std::pow(10.0f, random.uniform(-9.0f, -2.0f));
     const vec3 wo = from_tangent_space(at_cosine(height, kTwoPi * random.uniform()), s.normal_ws);
     const float alpha = i % 2 == 0 ? kMinAlpha : random.uniform(kMinAlpha, 1.0f), u_lobe = random.uniform();
-    const uint model = kModels[i % 4 / 2];
+    const uint model = kModels[i / 7 % kModels.size()];
     const auto sample =
         reference::sample_brdf(s, alpha, wo, vec3(1.0f), model, u_lobe, {random.uniform(), random.uniform()});
     if (!sample) continue;

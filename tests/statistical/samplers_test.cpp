@@ -208,7 +208,7 @@ TEST_P(BrdfSampler, MeetsItsDensity) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, BrdfSampler,
-                         testing::Combine(testing::Values(kModelGltf, kModelRyse),
+                         testing::Combine(testing::Values(kModelGltf, kModelRyse, kModelBlinnPhong),
                                           testing::Range(std::size_t{0}, std::size(kMaterials))));
 
 }  // namespace

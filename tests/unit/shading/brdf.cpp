@@ -59,7 +59,7 @@ TEST(Brdf, IsReciprocal) {
     const vec3 a = random.hemisphere_direction(), b = random.hemisphere_direction();
     if (a.z < 0.05f || b.z < 0.05f) continue;
     const float alpha = random.uniform(0.05f, 1.0f);
-    for (const uint model : {kModelGltf, kModelRyse}) {
+    for (const uint model : {kModelGltf, kModelRyse, kModelBlinnPhong}) {
       const vec3 forth = evaluate_brdf(s, alpha, a, b, vec3(1.0f), model) / b.z;
       const vec3 back = evaluate_brdf(s, alpha, b, a, vec3(1.0f), model) / a.z;
       ASSERT_NEAR(forth.x / back.x, 1.0f, 2e-3);
@@ -75,7 +75,7 @@ TEST(Brdf, IsBlackBelowTheHorizonAndFiniteEverywhere) {
   Random random(2);
   for (int i = 0; i < 20000; ++i) {
     const vec3 a = random.direction(), b = i % 4 == 0 ? -a : random.direction();
-    for (const uint model : {kModelGltf, kModelRyse}) {
+    for (const uint model : {kModelGltf, kModelRyse, kModelBlinnPhong}) {
       const vec3 f = evaluate_brdf(s, kMinAlpha, a, b, vec3(1.0f), model);
       ASSERT_TRUE(std::isfinite(f.x) && f.x >= 0.0f);
     }

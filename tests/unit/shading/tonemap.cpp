@@ -40,6 +40,7 @@ TEST(Tonemap, OrderIsThatOfTheSettings) {
   EXPECT_EQ(kTonemapLinear, static_cast<uint>(Tonemap::linear));
   EXPECT_EQ(kModelGltf, static_cast<uint>(ShadingModel::gltf));
   EXPECT_EQ(kModelRyse, static_cast<uint>(ShadingModel::ryse));
+  EXPECT_EQ(kModelBlinnPhong, static_cast<uint>(ShadingModel::blinn_phong));
 }
 
 TEST(Tonemap, NeutralKeepsBaseColors) {
