@@ -7,7 +7,6 @@
 #include "reference/tracer.hpp"
 #include "scene/moment.hpp"
 #include "upload/lights.hpp"
-#include "upload/projectors.hpp"
 
 #include <velarium/options.hpp>
 #include <velarium/version.hpp>
@@ -56,19 +55,15 @@ ReferenceResult render_reference(const Scene& scene, const ReferenceRequest& req
   frame::check_request(view, kLargestSide);
   ReferenceResult result;
   ReferenceReport& report = result.report;
-  auto moment = scene::moment_at(scene.tables(), view.time_s, view.animation);
+  const auto moment = scene::moment_at(scene.tables(), view.time_s, view.animation);
   const auto environment = api::environment_pixels(api::environment_choice(scene.tables(), moment, view, report.notes));
-  api::set_lights(view, moment);
-  const auto pictures = upload::projector_pictures(scene.tables());
-  const auto projectors = upload::projector_layers(scene.tables(), pictures);
   const auto camera = api::camera_of(moment, view);
   const auto model = static_cast<std::uint32_t>(view.settings.lighting.model);
   const auto energy = bake::cached_environment_brdf(kEnergyTableSize, shading::environment_model(model));
   const reference::Job job{.scene = scene.tables(),
                            .moment = moment,
                            .camera = camera,
-                           .lamps = upload::gpu_lights(moment.lights, glm::dvec3(camera.world_from_view[3]), pictures),
-                           .projectors = projectors,
+                           .lamps = upload::gpu_lights(moment.lights, glm::dvec3(camera.world_from_view[3])),
                            .environment = environment ? &*environment : nullptr,
                            .energy = energy,
                            .energy_size = kEnergyTableSize,
