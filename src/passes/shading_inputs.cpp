@@ -1,9 +1,19 @@
 #include "passes/shading_inputs.hpp"
 
+#include <bit>
+
 namespace velarium::passes {
 namespace {
 
 constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST};
+
+// Constants 10, 18 and 19: upload/contact_shadows.glsl.
+void set_contact_shadows(const Settings::contact_shadows_settings& contact, gpu::Specialization& constants) {
+  if (!contact.enabled) return;
+  constants[10] = static_cast<std::uint32_t>(contact.steps);
+  constants[18] = std::bit_cast<std::uint32_t>(contact.length);
+  constants[19] = std::bit_cast<std::uint32_t>(contact.thickness);
+}
 
 }  // namespace
 
@@ -17,6 +27,7 @@ gpu::Specialization shading_constants(const ShadingInputs& in) {
   constants[4] = in.environment.present ? 1u : 0u;
   constants[5] = in.environment.diffuse == DiffuseEnvironment::sh ? 1u : 0u;
   constants[9] = in.scene.clip_volumes ? 1u : 0u;
+  set_contact_shadows(in.settings.contact_shadows, constants);
   return constants;
 }
 

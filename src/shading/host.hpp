@@ -60,6 +60,7 @@ using glm::sqrt;
 #include "shading/clip_volume.glsl"
 #include "shading/color.glsl"
 #include "shading/constants.glsl"
+#include "shading/contact_shadow.glsl"
 #include "shading/depth.glsl"
 #include "shading/diffuse.glsl"
 #include "shading/display.glsl"

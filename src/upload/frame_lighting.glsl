@@ -86,11 +86,15 @@ uint tile_light_word(uint word, uint first, uint end) {
   return tile_light_word(word) & from & to;
 }
 
+// What near surfaces leave of the light that comes from direction `wi`. The includer defines it.
+float contact_visibility(ShadingPoint p, GpuLight l, vec3 wi);
+
 // What of a lamp's light goes towards the eye.
 vec3 reflected(ShadingPoint p, GpuLight l, LightSample light) {
   if (!inside_clip_volume(l.clip_volume, p.position_ws, p.surface.normal_ws)) return vec3(0.0);
   float alpha = max(p.alpha, kMinAlphaPunctual);
-  return evaluate_brdf(p.surface, alpha, p.wo, light.wi, p.specular_scale, kModel) * light.irradiance;
+  vec3 radiance = evaluate_brdf(p.surface, alpha, p.wo, light.wi, p.specular_scale, kModel) * light.irradiance;
+  return radiance == vec3(0.0) ? radiance : radiance * contact_visibility(p, l, light.wi);
 }
 
 // What a lamp of each kind adds: whatever lies between a lamp and a point belongs into these, or into reflected(), so that

@@ -13,6 +13,16 @@ layout(set = 0, binding = 3) uniform sampler2D rt2;
 layout(set = 0, binding = 4) uniform sampler2D depth_map;
 layout(set = 0, binding = 5) uniform usampler2D class_map;
 
+#include "upload/contact_shadows.glsl"
+
+ContactReceiver contact_receiver;  // of the last gbuffer_point()
+
+float contact_visibility(ShadingPoint p, GpuLight l, vec3 wi) {
+  if (kContactShadows == 0u || (l.flags & kLightCastsShadow) == 0u) return 1.0;
+  float distance = is_directional(l) ? kUnboundedRadius : length(l.position_range.xyz - p.position_ws);
+  return contact_visibility(contact_receiver, wi, distance);
+}
+
 // -1 to 1, y down.
 vec2 ndc_of_pixel(ivec2 pixel) {
   return (vec2(pixel) + 0.5) * frame.size.zw * 2.0 - 1.0;
@@ -34,7 +44,10 @@ ShadingPoint gbuffer_point(ivec2 pixel, float depth, uint material_class) {
   vec3 position_vs = view_position(ndc_of_pixel(pixel), depth, frame.ndc_to_view, frame.perspective);
   vec3 wo_vs = frame.perspective > 0.5 ? -normalize(position_vs) : vec3(0.0, 0.0, 1.0);
   mat3 world_from_view = transpose(mat3(frame.view_from_world));
-  return shading_point(gbuffer_decode(texel, material_class), world_from_view * position_vs, world_from_view * wo_vs);
+  Surface surface = gbuffer_decode(texel, material_class);
+  vec3 position_ws = world_from_view * position_vs;
+  if (kContactShadows != 0u) contact_receiver = contact_receiver_at(pixel, depth, position_ws, surface.normal_ws);
+  return shading_point(surface, position_ws, world_from_view * wo_vs);
 }
 
 #endif

@@ -27,6 +27,11 @@ uint tile_light_word(uint word) {
   return forward_lists[(tile.y * tiles_x + tile.x) * words + word];
 }
 
+// What is transparent is not in the depth that contact shadows are found in.
+float contact_visibility(ShadingPoint p, GpuLight l, vec3 wi) {
+  return 1.0;
+}
+
 vec3 shade(FragmentInput f, vec3 base_color) {
   vec3 wo_ortho = transpose(mat3(frame.view_from_world)) * vec3(0.0, 0.0, 1.0);
   vec3 wo = frame.perspective > 0.5 ? -normalize(in_position_ws) : wo_ortho;
