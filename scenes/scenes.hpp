@@ -16,6 +16,11 @@ namespace velarium::scene {
 // The Cornell box, ten times its measured size.
 [[nodiscard]] Scene cornell_scene();
 
+// Shadows: on a plane stand blocks, a ball, a fence of thin bars, a pierced screen (cut out by its texture), and, where
+// `sheet` says so, a sheet hangs that half of the light passes. One light of the kind, and nothing else, lights them.
+// radius: metres of the bulb, or radians of the sun's disc; 0: light from one point, or one direction.
+[[nodiscard]] Scene boxes_scene(LightKind light, float radius, bool sheet);
+
 inline constexpr std::uint32_t kTorches = 24;
 
 // A Roman courtyard at evening: columns, arches, painted walls, a pool, awnings, and the light of 24 torches and of the

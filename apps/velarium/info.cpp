@@ -63,8 +63,12 @@ nlohmann::ordered_json json_of_info(const SceneInfo& info) {
   json["variants"] = info.variants;
   json["parameters"] = nlohmann::ordered_json::array();
   for (const auto& p : info.parameters) {
-    json["parameters"].push_back(
-        {{"key", p.key}, {"value", p.value}, {"least", p.least}, {"most", p.most}, {"meaning", p.meaning}});
+    json["parameters"].push_back({{"key", p.key},
+                                  {"value", p.value},
+                                  {"least", p.least},
+                                  {"most", p.most},
+                                  {"meaning", p.meaning},
+                                  {"names", p.names}});
   }
   json["extensions_used"] = info.extensions_used;
   json["extensions_required"] = info.extensions_required;
@@ -74,6 +78,11 @@ nlohmann::ordered_json json_of_info(const SceneInfo& info) {
 
 std::string point_text(const std::array<float, 3>& p) {
   return fmt::format("({:g}, {:g}, {:g})", p[0], p[1], p[2]);
+}
+
+std::string parameter_text(const SceneInfo::Parameter& p) {
+  if (p.names.empty()) return fmt::format("{}={}, from {} to {}: {}", p.key, p.value, p.least, p.most, p.meaning);
+  return fmt::format("{}={}, of {}: {}", p.key, p.names[p.value], fmt::join(p.names, ", "), p.meaning);
 }
 
 // A row of the listing: what is empty is left out.
@@ -105,9 +114,7 @@ std::string text_of_info(const SceneInfo& info) {
   for (std::size_t i = 0; i < info.variants.size(); ++i) {
     add_row(text, fmt::format("variant {}", i), fmt::format("'{}'", info.variants[i]));
   }
-  for (const auto& p : info.parameters) {
-    add_row(text, "parameter", fmt::format("{}={}, from {} to {}: {}", p.key, p.value, p.least, p.most, p.meaning));
-  }
+  for (const auto& p : info.parameters) add_row(text, "parameter", parameter_text(p));
   add_row(text, "uses", fmt::format("{}", fmt::join(info.extensions_used, ", ")));
   add_row(text, "requires", fmt::format("{}", fmt::join(info.extensions_required, ", ")));
   return text;

@@ -31,7 +31,12 @@ struct SceneInfo {
   struct Animation { std::string name; float duration_s; std::uint64_t channels; };
   struct Camera { std::string name; std::string kind; };
   struct Light { std::string name; std::string kind; std::array<float, 3> color; float intensity; };
-  struct Parameter { std::string key; std::uint32_t value, least, most; std::string meaning; };
+  struct Parameter {
+    std::string key;
+    std::uint32_t value, least, most;
+    std::string meaning;
+    std::vector<std::string> names;  // of the values from 0 on, which are written by them; empty: by their numbers
+  };
   std::vector<Animation> animations;
   std::vector<Camera> cameras;    // as instanced in the scene, at time 0
   std::vector<Light> lights;      // as instanced in the scene, at time 0

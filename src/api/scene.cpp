@@ -85,7 +85,7 @@ void check_limits(const Settings::load_settings& limits) {
 void add_parameters(SceneInfo& info) {
   if (!info.source.starts_with(kBuiltinPrefix)) return;
   for (auto& p : scene::builtin_parameters(info.source.substr(kBuiltinPrefix.size())))
-    info.parameters.push_back({std::move(p.key), p.value, p.least, p.most, std::move(p.meaning)});
+    info.parameters.push_back({std::move(p.key), p.value, p.least, p.most, std::move(p.meaning), std::move(p.names)});
 }
 
 }  // namespace

@@ -8,12 +8,14 @@
 
 namespace velarium::scene {
 
-// A whole number that a built-in scene takes: "terrain?triangles=20000".
+// What a built-in scene takes: a whole number, "terrain?triangles=20000", or a name that stands for one,
+// "boxes?light=spot".
 struct BuiltinParameter {
   std::string key;
   std::uint32_t value = 0;  // the one asked for, else the default
   std::uint32_t least = 0, most = 0;
   std::string meaning;
+  std::vector<std::string> names;  // of the values from 0 on; empty: numbers are written
 };
 
 // Scenes made by code, deterministic, needing no file. Names without parameters.

@@ -26,7 +26,7 @@ glm::vec3 corner(const Primitive& p, std::size_t i) {
 TEST(Builtin, NamesAreThoseThatCanBeMade) {
   const std::vector<std::string> names = builtin_names();
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()),
-            (std::set<std::string>{"atrium", "spheres", "furnace", "cornell", "knots", "terrain"}));
+            (std::set<std::string>{"atrium", "spheres", "furnace", "cornell", "boxes", "knots", "terrain"}));
   for (const std::string& name : names) EXPECT_EQ(builtin_scene(name).source, "builtin:" + name);
   try {
     (void)builtin_scene("teapot");

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace velarium::scene {
 namespace {
@@ -73,6 +74,43 @@ TEST(BuiltinParameters, TellDefaultsAndValues) {
   EXPECT_EQ(builtin_parameters("atrium?lights=7")[0].value, 7u);
   EXPECT_EQ(builtin_parameters("atrium?lights=7&lights=8")[0].value, 8u);
   EXPECT_EQ(builtin_scene("knots?instances=3").source, "builtin:knots?instances=3");
+}
+
+TEST(BuiltinParameters, NamesStandForValues) {
+  const auto parameters = builtin_parameters("boxes?light=spot&radius=250");
+  ASSERT_EQ(parameters.size(), 3u);
+  EXPECT_EQ(parameters[0].key, "light");
+  EXPECT_EQ(parameters[0].names.at(parameters[0].value), "spot");
+  EXPECT_EQ(parameters[1].value, 250u);
+  EXPECT_EQ(parameters[2].names.at(parameters[2].value), "on");
+  for (const char* wrong : {"boxes?light=2", "boxes?light=lamp", "boxes?light=", "boxes?sheet=1", "boxes?radius=on"}) {
+    try {
+      (void)builtin_parameters(wrong);
+      ADD_FAILURE() << wrong;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::usage) << wrong;
+      for (const char* text : {"light=sun|point|spot [sun]", "radius=0..1000 [0]", "sheet=off|on [on]"})
+        EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(BuiltinParameters, BoxesHaveTheLightThatIsAskedFor) {
+  const std::pair<const char*, LightKind> kinds[] = {
+      {"sun", LightKind::directional}, {"point", LightKind::point}, {"spot", LightKind::spot}};
+  for (const auto& [name, kind] : kinds) {
+    const Scene scene = builtin_scene("boxes?radius=250&light=" + std::string(name));
+    ASSERT_EQ(scene.lights.size(), 1u) << name;
+    EXPECT_EQ(scene.lights[0].kind, kind) << name;
+    const bool sun = kind == LightKind::directional;
+    EXPECT_EQ(scene.lights[0].radius, sun ? 0.0f : 0.25f) << name;
+    EXPECT_EQ(scene.lights[0].angular_radius, sun ? 0.25f : 0.0f) << name;
+    EXPECT_EQ(scene.environment, "none");
+    EXPECT_LT(moment_at(scene, 0, "").lights[0].direction.y, -0.1f) << name;
+  }
+  EXPECT_EQ(builtin_scene("boxes").lights[0].radius, 0.0f);
+  EXPECT_EQ(triangles_of(builtin_scene("boxes"), "sheet"), 2u);
+  EXPECT_EQ(triangles_of(builtin_scene("boxes?sheet=off"), "sheet"), 0u);
 }
 
 TEST(BuiltinParameters, LampsHaveThePowerOfTheTorches) {
