@@ -55,6 +55,20 @@ std::array<float, 3> parse_point(std::string_view text) {
   return point;
 }
 
+Sun parse_sun(std::string_view text) {
+  Sun sun;
+  std::string_view rest = text;
+  for (float* value : {&sun.azimuth_deg, &sun.elevation_deg, &sun.illuminance_lux}) {
+    const std::size_t comma = rest.find(',');
+    if (!read_real(rest.substr(0, comma), *value)) break;
+    const bool last = comma == std::string_view::npos, enough = value != &sun.azimuth_deg;
+    if (last && enough) return sun;
+    if (last) break;
+    rest.remove_prefix(comma + 1);
+  }
+  refuse(text, "AZIMUTH,ELEVATION in degrees, or these and LUX");
+}
+
 std::array<std::uint32_t, 2> parse_size(std::string_view text) {
   constexpr std::uint32_t kMost = 65535;  // of JPEG, and more than any device draws
   std::array<std::uint32_t, 2> size{};

@@ -48,6 +48,9 @@ void add_light_flags(Flags& flags, View& view) {
   flags.add({"--env", "FILE|studio|sky|white|none",
              "light from far away: .hdr or .exr [studio where the scene has no light]",
              [&request](const std::string& text) { request.environment = text; }});
+  flags.add({"--sun", "AZ,EL[,LUX]",
+             "a sun at so many degrees from +Z towards +X, and above the horizon; of so much light [none; 4 lux]",
+             [&request](const std::string& text) { request.sun = parse_sun(text); }});
   flags.add_option("--env-rotate", "environment.rotation", "DEGREES");
   flags.add_option("--env-intensity", "environment.intensity", "X");
   flags.add({"--background", "env|transparent|#rrggbb", "what is seen behind the scene [env]",

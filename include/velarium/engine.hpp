@@ -38,6 +38,14 @@ struct LookAt {
   float vertical_fov_deg = 45.0f;
 };
 
+// A sun beside the scene's own lights, as a disc at the sky.
+struct Sun {
+  float azimuth_deg = 45.0f;           // 0 is +Z, 90 is +X: it grows as environment.rotation does
+  float elevation_deg = 35.0f;         // above the horizon, -90 to 90
+  float illuminance_lux = 4.0f;        // on a plane that faces it: colours come out as they are without exposure
+  float angular_radius_deg = 0.2666f;  // of the disc: the sun's seen from the earth; 0: one direction
+};
+
 enum class Background { environment, color, transparent };
 
 struct RenderRequest {
@@ -45,6 +53,7 @@ struct RenderRequest {
   std::string camera;               // name or index of a camera of the scene, "auto" (fits the scene), or empty: the first, else auto
   std::optional<LookAt> look_at;    // instead of `camera`
   std::string environment;          // file, "studio", "sky", "none"; empty: studio where the scene has no light, else none
+  std::optional<Sun> sun;           // none: the scene's own lights alone
   Background background = Background::environment;
   std::array<float, 3> background_color{0, 0, 0};  // display values 0..1, sRGB-encoded
   float time_s = 0.0f;

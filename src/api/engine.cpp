@@ -90,8 +90,9 @@ void Engine::prepare(const RenderRequest& request) {
 
 RenderResult Engine::render(const Scene& scene, const RenderRequest& request) {
   std::vector<std::string> notes;
-  const auto moment = scene::moment_at(scene.tables(), request.time_s, request.animation);
+  auto moment = scene::moment_at(scene.tables(), request.time_s, request.animation);
   const auto* environment = state_->load_environment(api::environment_choice(scene.tables(), moment, request, notes));
+  api::set_lights(request, moment);
   const auto& gpu_scene = state_->upload(scene, moment);
   auto result = state_->renderer.render({gpu_scene, moment, api::camera_of(moment, request), environment, request});
   result.report.notes = std::move(notes);

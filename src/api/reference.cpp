@@ -6,7 +6,9 @@
 #include "frame/check_request.hpp"
 #include "reference/tracer.hpp"
 #include "scene/moment.hpp"
+#include "upload/clip_volumes.hpp"
 #include "upload/lights.hpp"
+#include "upload/projectors.hpp"
 
 #include <velarium/options.hpp>
 #include <velarium/version.hpp>
@@ -55,15 +57,21 @@ ReferenceResult render_reference(const Scene& scene, const ReferenceRequest& req
   frame::check_request(view, kLargestSide);
   ReferenceResult result;
   ReferenceReport& report = result.report;
-  const auto moment = scene::moment_at(scene.tables(), view.time_s, view.animation);
+  auto moment = scene::moment_at(scene.tables(), view.time_s, view.animation);
   const auto environment = api::environment_pixels(api::environment_choice(scene.tables(), moment, view, report.notes));
+  api::set_lights(view, moment);
+  const auto pictures = upload::projector_pictures(scene.tables());
+  const auto projectors = upload::projector_layers(scene.tables(), pictures);
   const auto camera = api::camera_of(moment, view);
+  const auto volumes = upload::make_clip_volumes(scene.tables(), moment, glm::dvec3(camera.world_from_view[3]));
   const auto model = static_cast<std::uint32_t>(view.settings.lighting.model);
   const auto energy = bake::cached_environment_brdf(kEnergyTableSize, shading::environment_model(model));
   const reference::Job job{.scene = scene.tables(),
                            .moment = moment,
                            .camera = camera,
-                           .lamps = upload::gpu_lights(moment.lights, glm::dvec3(camera.world_from_view[3])),
+                           .lamps = upload::gpu_lights(moment.lights, glm::dvec3(camera.world_from_view[3]), pictures),
+                           .clip_records = volumes.records,
+                           .projectors = projectors,
                            .environment = environment ? &*environment : nullptr,
                            .energy = energy,
                            .energy_size = kEnergyTableSize,

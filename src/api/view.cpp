@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace velarium::api {
 namespace {
@@ -19,6 +20,24 @@ glm::vec3 to_vec3(const std::array<float, 3>& a) {
   return {a[0], a[1], a[2]};
 }
 
+// As conventions.md says: azimuth from +Z towards +X.
+glm::vec3 direction_to(const Sun& sun) {
+  const float azimuth = glm::radians(sun.azimuth_deg), elevation = glm::radians(sun.elevation_deg);
+  const float across = std::cos(elevation);
+  return {across * std::sin(azimuth), std::sin(elevation), across * std::cos(azimuth)};
+}
+
+scene::LightInstance lamp_of(const Sun& sun) {
+  const glm::vec3 to_sun = direction_to(sun);
+  const float azimuth = glm::radians(sun.azimuth_deg);
+  return {.light = {.name = "sun",
+                    .kind = scene::LightKind::directional,
+                    .intensity = sun.illuminance_lux,
+                    .angular_radius = glm::radians(sun.angular_radius_deg)},
+          .direction = -to_sun,
+          .right = {std::cos(azimuth), 0.0f, -std::sin(azimuth)}};
+}
+
 image::FloatImage white_environment() {
   return {.width = 2, .height = 1, .rgba = std::vector<float>(8, 1.0f)};
 }
@@ -29,9 +48,16 @@ std::string environment_choice(const scene::Scene& scene, const scene::Moment& m
                                std::vector<std::string>& notes) {
   if (!request.environment.empty()) return request.environment;
   if (!scene.environment.empty()) return scene.environment;
-  if (moment.lights.empty()) return kStudio;
-  notes.emplace_back("the scene brings its own lights, so the environment is off; --env studio turns one on");
+  if (moment.lights.empty() && !request.sun) return kStudio;
+  notes.emplace_back(moment.lights.empty()
+                         ? "the sun shines alone, as the environment is off; --env sky adds a sky"
+                         : "the scene brings its own lights, so the environment is off; --env studio turns one on");
   return kNone;
+}
+
+void set_lights(const RenderRequest& request, scene::Moment& moment) {
+  if (!request.settings.lighting.punctual) moment.lights.clear();
+  if (request.sun) moment.lights.push_back(lamp_of(*request.sun));
 }
 
 std::optional<image::FloatImage> environment_pixels(const std::string& name) {

@@ -18,6 +18,9 @@ namespace velarium::api {
 [[nodiscard]] std::string environment_choice(const scene::Scene& scene, const scene::Moment& moment,
                                              const RenderRequest& request, std::vector<std::string>& notes);
 
+// The lights of a picture: the scene's, unless settings.lighting.punctual puts them out, and the request's sun.
+void set_lights(const RenderRequest& request, scene::Moment& moment);
+
 // The equirectangular picture of an environment: built in, or a file. None for "none". Throws as load_radiance().
 [[nodiscard]] std::optional<image::FloatImage> environment_pixels(const std::string& name);
 

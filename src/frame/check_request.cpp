@@ -40,12 +40,23 @@ void check_view(const RenderRequest& request) {
     throw Error(ErrorCode::usage, fmt::format("a time of {} seconds; choose a number", request.time_s));
 }
 
+void check_sun(const Sun& sun) {
+  const bool high = std::abs(sun.elevation_deg) <= 90.0f, bright = sun.illuminance_lux >= 0.0f;
+  const bool small = sun.angular_radius_deg >= 0.0f && sun.angular_radius_deg < 90.0f;
+  if (!std::isfinite(sun.azimuth_deg) || !high || !bright || !std::isfinite(sun.illuminance_lux) || !small)
+    throw Error(ErrorCode::usage,
+                fmt::format("a sun at azimuth {} and elevation {} degrees, of {} lux and radius {} degrees; choose an "
+                            "elevation from -90 to 90, 0 lux or more, and a radius from 0 to less than 90",
+                            sun.azimuth_deg, sun.elevation_deg, sun.illuminance_lux, sun.angular_radius_deg));
+}
+
 }  // namespace
 
 void check_request(const RenderRequest& request, std::uint32_t size_limit) {
   check_size(request, size_limit);
   check_settings(request.settings);
   check_view(request);
+  if (request.sun) check_sun(*request.sun);
 }
 
 }  // namespace velarium::frame

@@ -84,8 +84,7 @@ RenderResult Renderer::render(const Job& job) {
   check_request(request, tools_.device.caps().max_image_size);
   const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
   const auto view = upload::view_matrices(job.camera, aspect);
-  auto scene =
-      upload::make_scene_tables(tools_.device, job.scene, job.moment, view, request.settings.lighting.punctual);
+  auto scene = upload::make_scene_tables(tools_.device, job.scene, job.moment, view);
   scene.texture_lod_bias = -std::min(0.5f * std::log2(static_cast<float>(request.settings.frame.spp)), kMaxSharpening);
 
   const gpu::ImageDesc sum_desc{VK_FORMAT_R32G32B32A32_SFLOAT, request.width, request.height};

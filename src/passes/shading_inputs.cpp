@@ -15,6 +15,14 @@ void set_contact_shadows(const Settings::contact_shadows_settings& contact, gpu:
   constants[19] = std::bit_cast<std::uint32_t>(contact.thickness);
 }
 
+// Constants 8, 11 and 14: what lamps there are, and how narrow their highlights may be.
+void set_lamps(const ShadingInputs& in, gpu::Specialization& constants) {
+  const auto& lighting = in.settings.lighting;
+  constants[8] = in.scene.light_ranges.projectors ? 1u : 0u;
+  constants[11] = lighting.sphere_highlights && in.scene.light_ranges.sized ? 1u : 0u;
+  constants[14] = std::bit_cast<std::uint32_t>(lighting.min_highlight_alpha);
+}
+
 }  // namespace
 
 gpu::Specialization shading_constants(const ShadingInputs& in) {
@@ -26,6 +34,7 @@ gpu::Specialization shading_constants(const ShadingInputs& in) {
   constants[3] = lighting.occlusion ? 1u : 0u;
   constants[4] = in.environment.present ? 1u : 0u;
   constants[5] = in.environment.diffuse == DiffuseEnvironment::sh ? 1u : 0u;
+  set_lamps(in, constants);
   constants[9] = in.scene.clip_volumes ? 1u : 0u;
   set_contact_shadows(in.settings.contact_shadows, constants);
   return constants;
@@ -45,6 +54,7 @@ void bind(graph::SetWriter& set, const ShadingInputs& in) {
       .sampled(1, in.environment.brdf_table)
       .buffer(2, in.scene.lights)
       .sampled(4, in.environment.irradiance)
+      .sampled(12, in.scene.gpu->projectors().array)
       // Where there are none, something is bound and never read.
       .buffer(13, in.scene.clip_volumes ? in.scene.clip_volumes : in.scene.lights);
 }

@@ -15,34 +15,33 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // How far before a glowing triangle its shadow rays end, in units of what rounding may have moved it.
 constexpr float kEmitterClearance = 4.0f;
 
+constexpr scene::Sampler kProjectorSampler{.wrap_u = scene::Wrap::clamp_to_edge, .wrap_v = scene::Wrap::clamp_to_edge};
+
 // Each kind of light that there is gets at least this chance: the estimates behind the rest may be far off.
 constexpr float kLeastChance = 0.1f;
 
-float radius_of(const GpuLight& lamp) {
-  return shading::is_directional(lamp) ? 0.0f : lamp.color.w;
+bool casts_shadow(const GpuLight& lamp) {
+  return (lamp.flags & shading::kLightCastsShadow) != 0;
 }
 
-// Sine of the half angle under which a spherical lamp is seen; 0 for points, 1 from inside.
-float sine_of(const GpuLight& lamp, const vec3& position) {
-  const float radius = radius_of(lamp);
-  if (radius == 0.0f) return 0.0f;
-  return std::min(radius / std::max(glm::length(vec3(lamp.position_range) - position), 1e-20f), 1.0f);
-}
-
-// How much of the lamp's light the receiver can use at most. 0 where it can use none.
-float weight_of(const GpuLight& lamp, const Receiver& receiver) {
-  const shading::LightSample at = shading::sample_light(lamp, receiver.position_ws);
-  const float cosine = std::min(glm::dot(receiver.normal_ws, at.wi) + sine_of(lamp, receiver.position_ws), 1.0f);
-  return cosine > 0.0f ? shading::luminance(at.irradiance) * cosine : 0.0f;
-}
-
-// 1 - cos of the half angle, without the loss of digits of narrow cones.
-float one_minus_cosine(float sine) {
-  return sine * sine / (1.0f + std::sqrt(std::max(1.0f - sine * sine, 0.0f)));
+// How far a ray along wi goes before it enters a lamp of some size, or the sun's disc, which is infinitely far. Nothing
+// where it misses.
+std::optional<float> entry_distance(const GpuLight& lamp, const vec3& position, const vec3& wi) {
+  if (shading::is_directional(lamp)) {
+    const vec3 axis(lamp.direction), off = glm::cross(axis, wi);
+    const bool meets = glm::dot(axis, wi) < 0.0f && glm::dot(off, off) < lamp.color.w * lamp.color.w;
+    return meets ? std::optional(kInfinity) : std::nullopt;
+  }
+  const vec3 to_center = vec3(lamp.position_range) - position;
+  const float along = glm::dot(to_center, wi);
+  const vec3 off = to_center - along * wi;
+  const float gap = lamp.color.w * lamp.color.w - glm::dot(off, off);
+  if (along <= 0.0f || gap <= 0.0f) return std::nullopt;
+  return along - std::sqrt(gap);
 }
 
 float sphere_pdf_sr(float sine) {
-  return 1.0f / (2.0f * kPi * one_minus_cosine(sine));
+  return shading::pdf_sr_cone(shading::cone_height(sine * sine));
 }
 
 // A sphere of even radiance lights a plane that faces it as a point of the same intensity does: E = pi L sin^2.
@@ -64,11 +63,13 @@ float mean_luminance(const image::FloatImage& image) {
 
 }  // namespace
 
-Lights::Lights(std::vector<GpuLight> lamps, const image::FloatImage* environment, float rotation_deg, float intensity,
-               const std::vector<Object>& objects, const Materials& materials)
-    : lamps_(std::move(lamps)), emitters_(objects, materials) {
+Lights::Lights(std::vector<GpuLight> lamps, std::span<const scene::Image> projectors,
+               std::span<const glm::vec4> clip_records, const image::FloatImage* environment, float rotation_deg,
+               float intensity, const std::vector<Object>& objects, const Materials& materials)
+    : lamps_(std::move(lamps)), clip_records_(clip_records), emitters_(objects, materials) {
+  for (const scene::Image& picture : projectors) projectors_.emplace_back(picture, true);
   for (std::size_t i = 0; i < lamps_.size(); ++i)
-    if (radius_of(lamps_[i]) > 0.0f) spheres_.push_back(i);
+    if (lamps_[i].color.w > 0.0f) spheres_.push_back(i);
   if (environment == nullptr) return;
   environment_.emplace(*environment, rotation_deg, intensity);
   environment_irradiance_ = kPi * intensity * mean_luminance(*environment);
@@ -76,6 +77,30 @@ Lights::Lights(std::vector<GpuLight> lamps, const image::FloatImage* environment
 
 vec3 Lights::environment(const vec3& direction) const {
   return environment_ ? environment_->radiance(direction) : vec3(0.0f);
+}
+
+bool Lights::reaches(const GpuLight& lamp, const Receiver& receiver) const {
+  if (lamp.clip_volume == 0) return true;
+  const auto planes = shading::clip_planes(clip_records_[lamp.clip_volume - 1]);
+  const vec3 point = shading::clip_point(receiver.position_ws, receiver.normal_ws);
+  return std::ranges::all_of(clip_records_.subspan(planes.first, planes.count),
+                             [&](const glm::vec4& plane) { return shading::before_clip_plane(plane, point); });
+}
+
+shading::LightSample Lights::arriving(const GpuLight& lamp, const vec3& position) const {
+  shading::LightSample at = shading::sample_light(lamp, position);
+  if (lamp.projector_layer == 0) return at;
+  const glm::vec2 uv = shading::projector_uv(lamp, at.wi);
+  const BoundTexture picture{&projectors_[lamp.projector_layer - 1], kProjectorSampler};
+  at.irradiance *= shading::in_projector(uv) ? vec3(picture.sample(uv, 0.0f, 0.0f)) : vec3(0.0f);
+  return at;
+}
+
+float Lights::weight_of(const GpuLight& lamp, const Receiver& receiver) const {
+  if (!reaches(lamp, receiver)) return 0.0f;
+  const shading::LightSample at = arriving(lamp, receiver.position_ws);
+  const float cosine = std::min(glm::dot(receiver.normal_ws, at.wi) + at.sine, 1.0f);
+  return cosine > 0.0f ? shading::luminance(at.irradiance) * cosine : 0.0f;
 }
 
 LightChances Lights::chances(const Receiver& receiver, LightKinds kinds) const {
@@ -119,20 +144,19 @@ std::optional<LightSample> Lights::sample_lamp(const Receiver& receiver, const L
   }
   if (chosen == nullptr) return std::nullopt;
   const float chance = chances.lamps * chosen_weight / chances.lamp_total;
-  const shading::LightSample at = shading::sample_light(*chosen, receiver.position_ws);
-  const float distance =
-      shading::is_directional(*chosen) ? kInfinity : glm::length(vec3(chosen->position_range) - receiver.position_ws);
-  const float sine = sine_of(*chosen, receiver.position_ws);
-  if (sine == 0.0f) return LightSample{at.wi, at.irradiance / chance, distance, 0.0f};
+  const shading::LightSample at = arriving(*chosen, receiver.position_ws);
+  const bool directional = shading::is_directional(*chosen), shadowed = casts_shadow(*chosen);
+  const float distance = directional ? kInfinity : glm::length(vec3(chosen->position_range) - receiver.position_ws);
+  const float sine = at.sine;
+  if (sine == 0.0f) return LightSample{at.wi, at.irradiance / chance, distance, 0.0f, false, shadowed};
   if (sine >= 1.0f) return std::nullopt;  // inside the bulb
-  const float drop = place.x * one_minus_cosine(sine), cosine = 1.0f - drop;
-  const float across = std::sqrt(drop * (2.0f - drop)), turn = 2.0f * kPi * place.y;
-  const vec3 wi =
-      glm::normalize(shading::from_tangent_space({across * std::cos(turn), across * std::sin(turn), cosine}, at.wi));
+  const vec3 off_axis = shading::sample_cone(place, shading::cone_height(sine * sine));
+  const vec3 wi = glm::normalize(shading::from_tangent_space(off_axis, at.wi));
   const float pdf_sr = sphere_pdf_sr(sine) * chance;
   // To the near side of the sphere, so that what touches its far side does not hide it.
-  const float near = distance * (cosine - std::sqrt(std::max(sine * sine - across * across, 0.0f)));
-  return LightSample{wi, sphere_radiance(at.irradiance, sine) / pdf_sr, near, pdf_sr};
+  const float sine2 = off_axis.x * off_axis.x + off_axis.y * off_axis.y;
+  const float near = directional ? kInfinity : distance * (off_axis.z - std::sqrt(std::max(sine * sine - sine2, 0.0f)));
+  return LightSample{wi, sphere_radiance(at.irradiance, sine) / pdf_sr, near, pdf_sr, false, shadowed};
 }
 
 std::optional<LightSample> Lights::sample_emitter(const Receiver& receiver, const LightChances& chances, float u_light,
@@ -165,18 +189,15 @@ float Lights::pdf_sr_emitter(const LightChances& chances, const Hit& hit, const 
 std::optional<Lights::SphereHit> Lights::meet_sphere(const GpuLight& lamp, const Receiver& receiver,
                                                      const LightChances& chances, const vec3& wi,
                                                      float distance) const {
-  const float sine = sine_of(lamp, receiver.position_ws);
-  if (sine >= 1.0f) return std::nullopt;
-  const vec3 to_center = vec3(lamp.position_range) - receiver.position_ws;
-  const float along = glm::dot(to_center, wi);
-  const vec3 off = to_center - along * wi;
-  const float radius = radius_of(lamp), gap = radius * radius - glm::dot(off, off);
-  if (along <= 0.0f || gap <= 0.0f || along - std::sqrt(gap) > distance) return std::nullopt;
+  const std::optional<float> entry = entry_distance(lamp, receiver.position_ws, wi);
+  if (!entry) return std::nullopt;
+  const float near = casts_shadow(lamp) ? *entry : 0.0f;
+  const shading::LightSample at = arriving(lamp, receiver.position_ws);
+  if (near > distance || at.sine >= 1.0f) return std::nullopt;
   const float weight = weight_of(lamp, receiver);
   if (weight == 0.0f) return std::nullopt;
-  const shading::LightSample at = shading::sample_light(lamp, receiver.position_ws);
   const float chance = chances.lamps * weight / chances.lamp_total;
-  return SphereHit{sphere_radiance(at.irradiance, sine), sphere_pdf_sr(sine) * chance};
+  return SphereHit{sphere_radiance(at.irradiance, at.sine), sphere_pdf_sr(at.sine) * chance, near};
 }
 
 }  // namespace velarium::reference

@@ -4,10 +4,12 @@
 
 #include "reference/emitters.hpp"
 #include "reference/environment_light.hpp"
+#include "reference/textures.hpp"
 
 #include "shading/host.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace velarium::reference {
@@ -30,6 +32,7 @@ struct LightSample {
   float distance = 0.0f;  // metres to it: nothing nearer may stand between; infinite for the environment and the sun
   float pdf_sr = 0.0f;    // of wi with all choices counted; 0: light from one direction alone, found no other way
   bool emitter = false;   // a triangle's
+  bool shadowed = true;   // something may stand between; false: nothing counts
 };
 
 // Which kinds of light a path may find at its end.
@@ -39,9 +42,12 @@ struct LightKinds {
 
 class Lights {
  public:
-  // lamps: relative to the eye. environment: null where there is none. The objects and materials must outlive this.
-  Lights(std::vector<shading::GpuLight> lamps, const image::FloatImage* environment, float rotation_deg,
-         float intensity, const std::vector<Object>& objects, const Materials& materials);
+  // lamps: relative to the eye. projectors: square sRGB pictures, which GpuLight::projector_layer counts from 1.
+  // clip_records: of the volumes that they end at, as shading/clip_volume.glsl reads them.
+  // environment: null where there is none. All but the lamps must outlive this.
+  Lights(std::vector<shading::GpuLight> lamps, std::span<const scene::Image> projectors,
+         std::span<const glm::vec4> clip_records, const image::FloatImage* environment, float rotation_deg, float intensity, const std::vector<Object>& objects,
+         const Materials& materials);
 
   [[nodiscard]] bool has_environment() const { return environment_ && !environment_->dark(); }
   [[nodiscard]] bool has_emitters() const { return !emitters_.empty(); }
@@ -60,11 +66,12 @@ class Lights {
   [[nodiscard]] float pdf_sr_emitter(const LightChances& chances, const Hit& hit, const SurfacePoint& p,
                                      const glm::vec3& wi) const;
 
-  // Spherical lamps that a ray from the receiver meets before `distance`. They hide nothing and are not seen
-  // themselves: they are lights only.
+  // Spherical lamps and discs that a ray from the receiver meets before `distance`, and those that nothing hides,
+  // however near that is. They hide nothing and are not seen themselves: they are lights only.
   struct SphereHit {
     glm::vec3 radiance;
     float pdf_sr;
+    float distance;  // to its near side, metres; 0 where nothing that stands between counts
   };
   template <class Function>
   void for_each_sphere(const Receiver& receiver, const LightChances& chances, const glm::vec3& wi, float distance,
@@ -74,6 +81,12 @@ class Lights {
   }
 
  private:
+  // Is the receiver in the volume that the lamp ends at?
+  [[nodiscard]] bool reaches(const shading::GpuLight& lamp, const Receiver& receiver) const;
+  // What the lamp sends to a position, its picture included, shadows aside.
+  [[nodiscard]] shading::LightSample arriving(const shading::GpuLight& lamp, const glm::vec3& position) const;
+  // How much of the lamp's light the receiver can use at most. 0 where it can use none.
+  [[nodiscard]] float weight_of(const shading::GpuLight& lamp, const Receiver& receiver) const;
   [[nodiscard]] std::optional<LightSample> sample_lamp(const Receiver& receiver, const LightChances& chances, float u,
                                                        const glm::vec2& place) const;
   [[nodiscard]] std::optional<LightSample> sample_emitter(const Receiver& receiver, const LightChances& chances,
@@ -83,7 +96,9 @@ class Lights {
                                                      float distance) const;
 
   std::vector<shading::GpuLight> lamps_;
-  std::vector<std::size_t> spheres_;  // lamps with a radius
+  std::vector<MipChain> projectors_;
+  std::span<const glm::vec4> clip_records_;
+  std::vector<std::size_t> spheres_;  // lamps of some size
   std::optional<EnvironmentLight> environment_;
   float environment_irradiance_ = 0.0f;  // its mean over all directions
   Emitters emitters_;

@@ -201,7 +201,7 @@ void PathTracer::add_light(Path& path, const Vertex& vertex, const Draws& draws)
   if (!light) return;
   const shading::Surface& s = vertex.look.surface;
   const bool delta = light->pdf_sr == 0.0f;
-  const float alpha = delta ? std::max(vertex.alpha, shading::kMinAlphaPunctual) : vertex.alpha;
+  const float alpha = delta ? std::max(vertex.alpha, transport_.min_highlight_alpha) : vertex.alpha;
   vec3 reflected =
       shading::evaluate_brdf(s, alpha, vertex.wo, light->wi, vertex.specular_scale, transport_.model) * light->light;
   if (reflected == vec3(0.0f) || !unblocked(path, vertex, *light)) return;
@@ -212,7 +212,7 @@ void PathTracer::add_light(Path& path, const Vertex& vertex, const Draws& draws)
 }
 
 bool PathTracer::unblocked(const Path& path, const Vertex& vertex, const LightSample& light) const {
-  if (!transport_.shadows) return true;
+  if (!transport_.shadows || !light.shadowed) return true;
   if (glm::dot(light.wi, vertex.outside) <= 0.0f) return false;
   Ray ray;
   ray.origin = vertex.start();
@@ -246,7 +246,10 @@ bool PathTracer::reflect(Path& path, const Vertex& vertex, const Draws& draws) c
     add_environment(path);
     add_spheres(path, std::numeric_limits<float>::infinity());
   }
-  if (glm::dot(next->wi, vertex.outside) <= 0.0f) return false;
+  if (glm::dot(next->wi, vertex.outside) <= 0.0f) {
+    if (transport_.shadows) add_spheres(path, 0.0f);  // those that nothing hides
+    return false;
+  }
   if (path.reflections <= kSafeReflections) return true;
   const float survival = std::min(shading::max_component(path.throughput), kMostSurvive);
   if (!(draws.survival < survival)) return false;

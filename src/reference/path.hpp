@@ -20,6 +20,7 @@ struct Transport {
   bool environment = true;         // lights surfaces
   bool shadows = true;
   float clamp = 0.0f;  // largest radiance that a path brings by two and more reflections; 0: any
+  float min_highlight_alpha = shading::kMinAlphaPunctual;  // that points are reflected with
   std::uint32_t model = shading::kModelGltf;
   bool multi_scatter = true;
   bool background = true;         // the environment is seen where nothing is hit; else nothing is

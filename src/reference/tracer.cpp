@@ -33,6 +33,7 @@ Transport transport_of(const Job& job) {
   t.environment = s.reference.transport != velarium::Transport::direct;
   t.shadows = s.reference.shadows;
   t.clamp = s.reference.clamp;
+  t.min_highlight_alpha = s.lighting.min_highlight_alpha;
   t.model = static_cast<std::uint32_t>(s.lighting.model);
   t.multi_scatter = s.lighting.multi_scatter && s.lighting.model == ShadingModel::gltf;
   t.background = job.background;
@@ -64,8 +65,8 @@ Result trace(const Job& job) {
   const std::vector<Object> objects = objects_of(job.scene, job.moment, eye);
   const Materials materials(job.scene);
   const Geometry geometry(objects, materials);
-  const Lights lights(s.lighting.punctual ? job.lamps : std::vector<shading::GpuLight>{}, job.environment,
-                      s.environment.rotation, s.environment.intensity, objects, materials);
+  const Lights lights(job.lamps, job.projectors, job.clip_records, job.environment, s.environment.rotation,
+                      s.environment.intensity, objects, materials);
   const Camera camera(job.camera, job.width, job.height);
   const EnergyTable energy(job.energy, job.energy_size);
   const PathTracer tracer({camera, objects, materials, geometry, lights, energy}, transport_of(job),

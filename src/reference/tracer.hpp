@@ -28,6 +28,8 @@ struct Job {
   const scene::Moment& moment;
   scene::CameraInstance camera;
   std::vector<shading::GpuLight> lamps;            // relative to the eye
+  std::span<const glm::vec4> clip_records;         // upload::ClipVolumeTable, of the volumes that they end at
+  std::span<const scene::Image> projectors;        // squares that GpuLight::projector_layer counts from 1; sRGB
   const image::FloatImage* environment = nullptr;  // null: none
   std::span<const glm::vec2> energy;               // EnergyTable, for the settings' model
   std::uint32_t energy_size = 0;

@@ -70,6 +70,7 @@ using glm::sqrt;
 #include "shading/microfacet.glsl"
 #include "shading/normal_encoding.glsl"
 #include "shading/normal_variance.glsl"
+#include "shading/projector.glsl"
 #include "shading/sampling.glsl"
 #include "shading/shadow_bias.glsl"
 #include "shading/shadow_filter.glsl"

@@ -98,6 +98,23 @@ FN uint depth_mask_range(float l_min, float l_max, float z_min, float z_max) {
   return (0xffffffffu << first) & (0xffffffffu >> (31u - last));
 }
 
+// A sphere (xyz centre, w radius) around the tile's box, in view space.
+FN vec4 tile_bounding_sphere(IN(TileVolume) t) {
+  return vec4(0.5f * (t.box_min + t.box_max), 0.5f * length(t.box_max - t.box_min));
+}
+
+// May a spot's cone, however long, reach into a sphere (xyz centre, w radius)? axis: unit. cos_outer: not negative.
+FN bool cone_overlaps_sphere(vec3 apex, vec3 axis, float cos_outer, vec4 sphere) {
+  vec3 way = vec3(sphere.x, sphere.y, sphere.z) - apex;
+  float along = dot(way, axis);
+  float across = length(cross(way, axis));
+  float sin_outer = sqrt(max(1.0f - cos_outer * cos_outer, 0.0f));
+  // From the centre to the cone's side, which is less than to the cone itself where the centre lies behind the apex.
+  float outside = cos_outer * across - sin_outer * along;
+  float r = sphere.w + kCullSlack * (sphere.w + length(apex) + length(way));
+  return outside <= r && along >= -r;
+}
+
 // Smallest sphere (xyz centre, w radius) around a spot light's cone, cut at `range` from its apex. axis: unit.
 // Up to 45 degrees the sphere passes through the apex, beyond that the rim is its equator.
 FN vec4 spot_bounding_sphere(vec3 apex, vec3 axis, float range, float cos_outer) {

@@ -6,8 +6,10 @@
 
 #include "shading/brdf.glsl"
 #include "shading/environment.glsl"
+#include "shading/sphere_light.glsl"
 #include "upload/clip_volumes.glsl"
 #include "upload/gpu_structs.glsl"
+#include "upload/projectors.glsl"
 
 layout(set = 1, binding = 0) uniform samplerCube environment_map;      // pre-convolved levels
 layout(set = 1, binding = 1) uniform sampler2D environment_brdf_table; // E0, E1 by (n.v, smoothness)
@@ -19,6 +21,9 @@ layout(constant_id = 2) const uint kMultiScatter = 1u;
 layout(constant_id = 3) const uint kOcclusion = 1u;
 layout(constant_id = 4) const uint kEnvironment = 1u;      // 0: there is none
 layout(constant_id = 5) const uint kDiffuseSh = 0u;        // 1: irradiance from frame.sh, 0: from irradiance_map
+
+layout(constant_id = 11) const uint kSphereHighlights = 0u; // 0: no light has a size
+layout(constant_id = 14) const float kMinHighlightAlpha = 0.002325;
 
 // What does not depend on the light.
 struct ShadingPoint {
@@ -89,11 +94,21 @@ uint tile_light_word(uint word, uint first, uint end) {
 // What near surfaces leave of the light that comes from direction `wi`. The includer defines it.
 float contact_visibility(ShadingPoint p, GpuLight l, vec3 wi);
 
+// What of a lamp's light would go towards the eye if nothing stood in its way.
+vec3 reflected_openly(ShadingPoint p, LightSample light) {
+  bool sized = kSphereHighlights != 0u && light.sine > 0.0;
+  // The size of a light widens its highlight by half as much, as half vectors turn half as fast.
+  float alpha = max(p.alpha, kMinHighlightAlpha - (sized ? 0.5 * light.sine : 0.0));
+  vec3 brdf = sized
+      ? evaluate_brdf_sphere(p.surface, alpha, p.wo, light.wi, light.sine, p.specular_scale, kModel)
+      : evaluate_brdf(p.surface, alpha, p.wo, light.wi, p.specular_scale, kModel);
+  return brdf * light.irradiance;
+}
+
 // What of a lamp's light goes towards the eye.
 vec3 reflected(ShadingPoint p, GpuLight l, LightSample light) {
   if (!inside_clip_volume(l.clip_volume, p.position_ws, p.surface.normal_ws)) return vec3(0.0);
-  float alpha = max(p.alpha, kMinAlphaPunctual);
-  vec3 radiance = evaluate_brdf(p.surface, alpha, p.wo, light.wi, p.specular_scale, kModel) * light.irradiance;
+  vec3 radiance = reflected_openly(p, light);
   return radiance == vec3(0.0) ? radiance : radiance * contact_visibility(p, l, light.wi);
 }
 
@@ -111,7 +126,9 @@ vec3 light_point(ShadingPoint p, uint index) {
 
 vec3 light_spot(ShadingPoint p, uint index) {
   GpuLight l = lights[index];
-  return reflected(p, l, sample_spot(l, p.position_ws));
+  LightSample light = sample_spot(l, p.position_ws);
+  light.irradiance *= projected(l, p.position_ws, light.wi);
+  return reflected(p, l, light);
 }
 
 // Lights of the tile, kind by kind and in their order, so that every run adds in the same order.

@@ -37,7 +37,8 @@ GpuScene::GpuScene(gpu::Device& device, const scene::Scene& scene)
     : device_(device),
       scene_(scene),
       textures_(device, scene),
-      materials_(make_buffer(device, gpu_materials(scene), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT)) {
+      materials_(make_buffer(device, gpu_materials(scene), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT)),
+      projectors_(make_projectors(device, scene)) {
   upload_geometry();
 }
 

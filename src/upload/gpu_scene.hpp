@@ -5,6 +5,7 @@
 #include "upload/casters.hpp"
 #include "upload/draws.hpp"
 #include "upload/lights.hpp"
+#include "upload/projectors.hpp"
 #include "upload/textures.hpp"
 #include "upload/vertices.hpp"
 
@@ -22,6 +23,7 @@ class GpuScene {
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }
   [[nodiscard]] const Textures& textures() const { return textures_; }
   [[nodiscard]] const gpu::Buffer& materials() const { return materials_; }
+  [[nodiscard]] const Projectors& projectors() const { return projectors_; }
 
   // Replaces the deformed vertices by those of this moment.
   void set_deformed(const scene::Moment& moment);
@@ -44,6 +46,7 @@ class GpuScene {
   const scene::Scene& scene_;
   Textures textures_;
   gpu::Buffer materials_;
+  Projectors projectors_;
   Streams fixed_, deformed_;
   gpu::Buffer indices_;
   std::vector<Range> ranges_;                 // by primitive

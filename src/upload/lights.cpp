@@ -1,5 +1,7 @@
 #include "upload/lights.hpp"
 
+#include "upload/projectors.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +24,8 @@ float gpu_falloff(scene::Falloff falloff) {
   return falloff == scene::Falloff::bulb ? shading::kFalloffBulb : shading::kFalloffInverseSquare;
 }
 
-GpuLight gpu_light(const scene::LightInstance& instance, const glm::dvec3& eye) {
+GpuLight gpu_light(const scene::LightInstance& instance, const glm::dvec3& eye,
+                   std::span<const scene::Projector> pictures) {
   const scene::Light& light = instance.light;
   const glm::vec2 cone = shading::spot_scale_offset(light.inner_cone, light.outer_cone);
   const bool directional = light.kind == scene::LightKind::directional;
@@ -31,6 +34,8 @@ GpuLight gpu_light(const scene::LightInstance& instance, const glm::dvec3& eye) 
           .direction = glm::vec4(instance.direction, gpu_kind(light.kind)),
           .color = glm::vec4(light.color * light.intensity, size),
           .cone = {cone.x, cone.y, std::cos(light.outer_cone), gpu_falloff(light.falloff)},
+          .projector = glm::vec4(instance.right, std::tan(0.5f * light.projector.field_of_view)),
+          .projector_layer = projector_layer(light.projector, pictures),
           .clip_volume = static_cast<std::uint32_t>(light.clip_volume + 1),
           .flags = light.casts_shadow ? shading::kLightCastsShadow : 0u};
 }
@@ -56,9 +61,10 @@ glm::vec4 bounding_sphere(const GpuLight& light) {
 
 }  // namespace
 
-std::vector<GpuLight> gpu_lights(const std::vector<scene::LightInstance>& lights, const glm::dvec3& eye) {
+std::vector<GpuLight> gpu_lights(const std::vector<scene::LightInstance>& lights, const glm::dvec3& eye,
+                                 std::span<const scene::Projector> pictures) {
   std::vector<GpuLight> result;
-  for (const auto& instance : lights) result.push_back(gpu_light(instance, eye));
+  for (const auto& instance : lights) result.push_back(gpu_light(instance, eye, pictures));
   std::stable_sort(result.begin(), result.end(),
                    [](const GpuLight& a, const GpuLight& b) { return a.direction.w < b.direction.w; });
   return result;
@@ -70,8 +76,13 @@ LightRanges light_ranges(const std::vector<GpuLight>& lights) {
                                             [&](const GpuLight& light) { return light.direction.w < kind; });
     return static_cast<std::uint32_t>(first - lights.begin());
   };
-  return {begin_of(shading::kLightPoint), begin_of(shading::kLightSpot), static_cast<std::uint32_t>(lights.size()),
-          sun_of(lights)};
+  const auto any = [&](auto condition) { return std::any_of(lights.begin(), lights.end(), condition); };
+  return {.first_point = begin_of(shading::kLightPoint),
+          .first_spot = begin_of(shading::kLightSpot),
+          .count = static_cast<std::uint32_t>(lights.size()),
+          .sun = sun_of(lights),
+          .sized = any([](const GpuLight& light) { return light.color.w > 0.0f; }),
+          .projectors = any([](const GpuLight& light) { return light.projector_layer != 0; })};
 }
 
 std::vector<glm::vec4> light_bounds(const std::vector<GpuLight>& lights, const glm::mat3& view_from_world) {

@@ -49,12 +49,11 @@ ViewMatrices view_matrices(const scene::CameraInstance& camera, float aspect) {
 }
 
 SceneTables make_scene_tables(gpu::Device& device, const GpuScene& scene, const scene::Moment& moment,
-                              const ViewMatrices& view, bool punctual_lights) {
+                              const ViewMatrices& view) {
   SceneTables tables{.gpu = &scene};
   tables.draws = make_draw_list(scene.scene(), moment, frustum_of(clip_from_world(view)), view.eye);
   tables.objects = make_buffer(device, tables.draws.objects, kStorage);
-  std::vector<GpuLight> lights;
-  if (punctual_lights) lights = gpu_lights(shining(moment.lights), view.eye);
+  auto lights = gpu_lights(shining(moment.lights), view.eye, scene.projectors().pictures);
   if (lights.size() > kMaxLights)
     throw Error(ErrorCode::unsupported, scene.scene().source,
                 fmt::format("{} lights shine; a picture takes {} at most", lights.size(), kMaxLights));

@@ -16,7 +16,7 @@ struct ViewMatrices {
 // Everything that a moment looks like from this view. Lights that shine on nothing (no intensity) are left out.
 // Throws Error(unsupported) for more than kMaxLights lights.
 [[nodiscard]] SceneTables make_scene_tables(gpu::Device& device, const GpuScene& scene, const scene::Moment& moment,
-                                            const ViewMatrices& view, bool punctual_lights);
+                                            const ViewMatrices& view);
 
 // The parts of FrameUniforms that follow from the camera; `jitter`: offset of the sampled point from
 // the pixel's centre, in pixels.

@@ -38,7 +38,7 @@ Tracing cornell() {
   Tracing t{.scene = scene::builtin_scene("cornell"), .camera = {}};
   const scene::Moment moment = scene::moment_at(t.scene, 0.0f, "");
   t.camera = scene::choose_camera(moment, "", 1.0f);
-  t.lamps = upload::gpu_lights(moment.lights, glm::dvec3(t.camera.world_from_view[3]));
+  t.lamps = upload::gpu_lights(moment.lights, glm::dvec3(t.camera.world_from_view[3]), {});
   t.settings.reference.spp = 2048;
   t.size = kSize;
   return t;

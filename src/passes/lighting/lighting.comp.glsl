@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 
 // Tiled deferred lighting [Schulz 2014, Ryse]: one compute shader finds the lights of each 16x16 tile and shades it.
-// A tile keeps a light when its sphere passes the side planes, the box and the 32-slice depth mask; the list is a bit
-// mask in light order, so that sums are the same on every run and equal to a loop over all lights.
+// A tile keeps a light when its sphere passes the side planes, the box and the 32-slice depth mask, and a spot when its
+// cone passes as well; the list is a bit mask in light order, so that sums are the same on every run and equal to a loop over all lights.
 
 #include "shading/tile_culling.glsl"
 #include "upload/gpu_structs.glsl"
@@ -29,10 +29,15 @@ shared uint tile_lights[kMaxLights / 32u];
 
 const float kMaxRadiance = 65504.0;  // of the half floats that the picture is kept in
 
-bool light_reaches(TileVolume tile, uint index) {
+// tile_sphere: around the tile, in world space.
+bool light_reaches(TileVolume tile, vec4 tile_sphere, uint index) {
   vec4 bounds = light_bounds[index];
   if (!tile_overlaps_sphere(tile, bounds.xyz, bounds.w)) return false;
   float depth = -bounds.z;
+  if (index >= frame.first_spot) {
+    GpuLight l = lights[index];
+    if (!cone_overlaps_sphere(l.position_range.xyz, l.direction.xyz, l.cone.z, tile_sphere)) return false;
+  }
   return (depth_mask_range(depth - bounds.w, depth + bounds.w, tile.z_min, tile.z_max) & tile_depth_mask) != 0u;
 }
 
@@ -88,8 +93,10 @@ void find_tile_lights() {
   vec2 ndc_min = corner * frame.size.zw * 2.0 - 1.0;
   vec2 ndc_max = (corner + float(kTileSize)) * frame.size.zw * 2.0 - 1.0;
   TileVolume tile = tile_volume(ndc_min, ndc_max, empty ? 0.0 : z_min, z_max, frame.ndc_to_view, frame.perspective);
+  vec4 sphere = tile_bounding_sphere(tile);
+  vec4 sphere_ws = vec4(transpose(mat3(frame.view_from_world)) * sphere.xyz, sphere.w);
   for (uint i = thread; i < frame.light_count && !empty; i += gl_WorkGroupSize.x)
-    if (light_reaches(tile, i)) atomicOr(tile_lights[i / 32u], 1u << (i % 32u));
+    if (light_reaches(tile, sphere_ws, i)) atomicOr(tile_lights[i / 32u], 1u << (i % 32u));
 
   if (kForwardLists != 0u) {
     // Transparent surfaces stand before everything, and before the sky at any depth.

@@ -186,5 +186,47 @@ TEST(SpotSphere, HoldsTheCone) {
             vec4(1, 2, 3, kUnboundedRadius));
 }
 
+TEST(SpotCone, NeverRefusesASphereThatItReaches) {
+  Random random(26);
+  for (int i = 0; i < 200000; ++i) {
+    const vec3 apex = random.direction() * random.uniform(0.0f, 300.0f), axis = random.direction();
+    const float cos_outer = i % 7 == 0 ? 0.0f : random.uniform(0.0f, 0.9999f);
+    const float cosine = i % 2 == 0 ? cos_outer : random.uniform(cos_outer, 1.0f);  // the side, or within
+    const float phi = random.uniform(0.0f, kTwoPi), sine = std::sqrt(1.0f - cosine * cosine);
+    const vec3 d = from_tangent_space(vec3(sine * std::cos(phi), sine * std::sin(phi), cosine), axis);
+    const vec3 lit = apex + d * (i % 5 == 0 ? 0.0f : std::exp(random.uniform(-3.0f, 5.0f)));
+    const float radius = std::exp(random.uniform(-5.0f, 3.0f));
+    const vec3 center = lit + random.direction() * (radius * (i % 3 == 0 ? 1.0f : random.uniform()));
+    ASSERT_TRUE(cone_overlaps_sphere(apex, axis, cos_outer, vec4(center, radius))) << i;
+  }
+}
+
+TEST(SpotCone, LeavesOutWhatIsBesideAndBehind) {
+  const vec3 apex(1.0f, 2.0f, 3.0f), axis(0.0f, 0.0f, -1.0f);
+  const float cos_outer = std::cos(static_cast<float>(radians(30.0)));
+  const auto reaches = [&](const vec3& from_apex, float radius) {
+    return cone_overlaps_sphere(apex, axis, cos_outer, vec4(apex + from_apex, radius));
+  };
+  EXPECT_TRUE(reaches(vec3(0.0f, 0.0f, -10.0f), 0.01f));
+  EXPECT_TRUE(reaches(vec3(5.7f, 0.0f, -10.0f), 0.01f));   // tan 30 = 0.577
+  EXPECT_FALSE(reaches(vec3(5.9f, 0.0f, -10.0f), 0.05f));  // 0.11 beside
+  EXPECT_TRUE(reaches(vec3(5.9f, 0.0f, -10.0f), 0.2f));
+  EXPECT_FALSE(reaches(vec3(0.0f, 0.0f, 1.0f), 0.9f));
+  EXPECT_TRUE(reaches(vec3(0.0f, 0.0f, 1.0f), 1.1f));
+}
+
+// What a tile's volume holds, its sphere holds.
+TEST(SpotCone, SphereOfATileHoldsIt) {
+  Random random(27);
+  for (const View& view : {kPerspective, kOffAxis, kOrthographic}) {
+    for (int i = 0; i < 10000; ++i) {
+      const Tile t = random_tile(random, view);
+      const vec4 sphere = tile_bounding_sphere(t.volume);
+      const vec3 inside = random_point(random, t, view, t.z_min);
+      ASSERT_LE(length(inside - vec3(sphere.x, sphere.y, sphere.z)), sphere.w * 1.00001f + 1e-6f * length(inside));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace velarium::shading

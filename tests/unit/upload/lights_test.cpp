@@ -1,0 +1,66 @@
+#include "upload/lights.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace velarium::upload {
+namespace {
+
+scene::LightInstance lamp(scene::LightKind kind) {
+  scene::LightInstance instance{.light = {.kind = kind, .intensity = 3.0f}};
+  return instance;
+}
+
+TEST(GpuLights, StandByKindAndKeepTheirOrder) {
+  std::vector<scene::LightInstance> lamps;
+  for (const auto kind : {scene::LightKind::spot, scene::LightKind::point, scene::LightKind::directional,
+                          scene::LightKind::point, scene::LightKind::spot})
+    lamps.push_back(lamp(kind));
+  for (std::size_t i = 0; i < lamps.size(); ++i) lamps[i].position.x = static_cast<float>(i);
+  const auto lights = gpu_lights(lamps, glm::dvec3(10.0, 0.0, 0.0), {});
+  const LightRanges ranges = light_ranges(lights);
+  EXPECT_EQ(ranges.first_point, 1u);
+  EXPECT_EQ(ranges.first_spot, 3u);
+  EXPECT_EQ(ranges.count, 5u);
+  EXPECT_FALSE(ranges.sized);
+  EXPECT_FALSE(ranges.projectors);
+  EXPECT_EQ(lights[1].position_range.x, 1.0f - 10.0f);  // relative to the eye
+  EXPECT_EQ(lights[2].position_range.x, 3.0f - 10.0f);
+  EXPECT_EQ(lights[3].position_range.x, 0.0f - 10.0f);
+}
+
+TEST(GpuLights, KnowTheirSize) {
+  auto bulb = lamp(scene::LightKind::point);
+  bulb.light.radius = 0.25f;
+  bulb.light.falloff = scene::Falloff::bulb;
+  bulb.light.range = 8.0f;
+  auto sun = lamp(scene::LightKind::directional);
+  sun.light.angular_radius = 0.5f;
+  const auto lights = gpu_lights({bulb, sun}, glm::dvec3(0.0), {});
+  EXPECT_NEAR(lights[0].color.w, std::sin(0.5f), 1e-7);
+  EXPECT_EQ(lights[1].color.w, 0.25f);
+  EXPECT_EQ(lights[1].cone.w, shading::kFalloffBulb);
+  EXPECT_TRUE(light_ranges(lights).sized);
+  // Lux at 1 m from the surface, and nothing at the cutoff radius.
+  EXPECT_NEAR(shading::sample_light(lights[1], glm::vec3(1.25f, 0.0f, 0.0f)).irradiance.x, 3.0f, 1e-5);
+  EXPECT_EQ(shading::sample_light(lights[1], glm::vec3(8.0f, 0.0f, 0.0f)).irradiance.x, 0.0f);
+  EXPECT_NEAR(shading::sample_light(lights[1], glm::vec3(1.25f, 0.0f, 0.0f)).sine, 0.2f, 1e-6);
+  EXPECT_EQ(shading::sample_light(lights[1], glm::vec3(0.1f, 0.0f, 0.0f)).sine, 1.0f);
+}
+
+TEST(GpuLights, ShareThePicturesTheyThrow) {
+  auto first = lamp(scene::LightKind::spot), second = first, plain = first;
+  first.light.projector = {.image = 4, .field_of_view = 1.0f};
+  second.light.projector = {.image = 7, .field_of_view = 0.5f};
+  const std::vector<scene::Projector> pictures{{.image = 7, .field_of_view = 2.0f}, {.image = 4}};
+  const auto lights = gpu_lights({first, second, plain}, glm::dvec3(0.0), pictures);
+  EXPECT_EQ(lights[0].projector_layer, 2u);
+  EXPECT_EQ(lights[1].projector_layer, 1u);
+  EXPECT_EQ(lights[2].projector_layer, 0u);
+  EXPECT_NEAR(lights[0].projector.w, std::tan(0.5f), 1e-6);
+  EXPECT_TRUE(light_ranges(lights).projectors);
+}
+
+}  // namespace
+}  // namespace velarium::upload
