@@ -5,6 +5,7 @@
 #include "passes/exposure/exposure.hpp"
 #include "passes/forward/forward.hpp"
 #include "passes/gbuffer/gbuffer.hpp"
+#include "passes/light_volumes/light_volumes.hpp"
 #include "passes/lighting/lighting.hpp"
 
 namespace velarium::frame {
@@ -13,7 +14,9 @@ graph::GraphImage add_frame(graph::Graph& g, const FrameInputs& in) {
   const auto drawn = gbuffer::add(g, {in.scene, in.normal_lengths, in.width, in.height});
   const passes::GBuffer surface{drawn.rt0, drawn.rt1, drawn.rt2, drawn.depth};
   const passes::ShadingInputs shading{.scene = in.scene, .environment = in.environment, .settings = in.settings};
-  const auto lit = lighting::add(g, {shading, surface, drawn.hdr});
+  graph::GraphImage lamps;
+  if (in.settings.lighting.path == LightingPath::volumes) lamps = light_volumes::add(g, {shading, surface});
+  const auto lit = lighting::add(g, {shading, surface, drawn.hdr, lamps});
   const auto hdr = forward::add(g, {shading, surface.depth, lit.hdr, lit.forward_lists});
   return accumulate::add(g, {hdr, g.import("sum", in.sum, !in.first), in.first});
 }

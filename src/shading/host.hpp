@@ -66,6 +66,7 @@ using glm::sqrt;
 #include "shading/display.glsl"
 #include "shading/environment.glsl"
 #include "shading/gbuffer.glsl"
+#include "shading/light_volumes.glsl"
 #include "shading/lights.glsl"
 #include "shading/microfacet.glsl"
 #include "shading/normal_encoding.glsl"

@@ -34,8 +34,10 @@ class Candidates(CliTest):
 
     def test_options_of_the_table_and_their_values(self):
         self.assertEqual(self.candidates("render", "-D", "display.ton"), ["display.tonemap="])
-        self.assertEqual(self.candidates("render", "-D", "lighting.model="), ["lighting.model=gltf", "lighting.model=ryse"])
-        self.assertEqual(self.candidates("bench", "-D", "lighting.tiled=o"), ["lighting.tiled=on", "lighting.tiled=off"])
+        self.assertEqual(self.candidates("render", "-D", "lighting.path="),
+                         ["lighting.path=tiled", "lighting.path=volumes", "lighting.path=all"])
+        self.assertEqual(self.candidates("bench", "-D", "lighting.occlusion=o"),
+                         ["lighting.occlusion=on", "lighting.occlusion=off"])
 
     def test_a_scene_without_a_verb_is_drawn(self):
         self.assertEqual(self.candidates("a.gltf", "--spp"), ["--spp"])

@@ -62,7 +62,7 @@ class WrongArguments(CliTest):
         self.expect(USAGE, "render", "--tonemap", "filmic", says="neutral, agx, aces, linear")
         self.expect(USAGE, "render", "--env-rotate", "361", says="from -360 to 360")
         self.expect(USAGE, "render", "--env-intensity", "-1", says="from 0 to")
-        self.expect(USAGE, "render", "-D", "lighting.tiled=perhaps", says="on, off")
+        self.expect(USAGE, "render", "-D", "lighting.occlusion=perhaps", says="on, off")
         self.expect(USAGE, "bench", "--frames", "1", says="from 2")
         self.expect(USAGE, "bench", "--warm-up", "x", says="from 0")
 

@@ -147,7 +147,7 @@ TEST(TiledLighting, EqualsEveryLightAtEveryPixel) {
   RenderRequest orthographic = request(157, 101);
   for (RenderRequest view : {tiled, orthographic}) {
     const Picture culled = picture_of(scene, view);
-    view.settings.lighting.tiled = false;
+    view.settings.lighting.path = LightingPath::all;
     expect_equal(culled, picture_of(scene, view));
   }
 }

@@ -16,12 +16,13 @@ layout(set = 0, binding = 6, rgba16f) uniform image2D hdr;       // in: emissive
 layout(set = 0, binding = 7) uniform sampler2D background_map;   // equirectangular
 layout(set = 0, binding = 8, std430) readonly buffer BoundsBuffer { vec4 light_bounds[]; };
 layout(set = 0, binding = 9, std430) writeonly buffer TileBuffer { uint forward_lists[]; };
+layout(set = 0, binding = 10) uniform sampler2D lamp_map;        // what light_volumes has found
 
 #include "upload/gbuffer_point.glsl"
 
 layout(constant_id = 20) const uint kTiled = 1u;          // 0: every light at every pixel
 layout(constant_id = 21) const uint kForwardLists = 0u;   // 1: write the lists that transparent surfaces need
-layout(constant_id = 22) const uint kLights = 1u;         // 0: the scene has none
+layout(constant_id = 22) const uint kLamps = 1u;          // 0: none shines; 1: asked here; 2: light_volumes has asked them
 
 shared uint tile_min, tile_max;      // bits of positive floats, which order as the floats do
 shared uint tile_depth_mask;
@@ -140,12 +141,13 @@ void shade(uvec2 at) {
 
   ShadingPoint p = gbuffer_point(pixel, depth, material_class);
   vec3 light = imageLoad(hdr, pixel).rgb + environment_light(p, frame);
-  if (kLights != 0u) light += punctual_lights(p, frame);
+  if (kLamps == 1u) light += punctual_lights(p, frame);
+  if (kLamps == 2u) light += texelFetch(lamp_map, pixel, 0).rgb;
   imageStore(hdr, pixel, vec4(min(light, kMaxRadiance), 1.0));
 }
 
 void main() {
-  if (kLights != 0u && (kTiled != 0u || kForwardLists != 0u)) find_tile_lights();
+  if ((kLamps == 1u && kTiled != 0u) || kForwardLists != 0u) find_tile_lights();
   for (uint i = gl_LocalInvocationIndex; i < kTilePixels; i += gl_WorkGroupSize.x) {
     uvec2 pixel = tile_pixel(i);
     if (all(lessThan(vec2(pixel), frame.size.xy))) shade(pixel);

@@ -9,6 +9,7 @@ constexpr std::uint32_t kShader[] =
 #include "shaders/lighting.comp.inc"
     ;
 
+constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST};
 // The azimuth wraps around.
 constexpr gpu::SamplerDesc kEquirect{.wrap_u = VK_SAMPLER_ADDRESS_MODE_REPEAT};
 
@@ -22,6 +23,12 @@ VkDeviceSize list_bytes(const gpu::ImageDesc& size, std::uint32_t light_count) {
   return VkDeviceSize{4} * tiles(size.width) * tiles(size.height) * ((light_count + 31) / 32);
 }
 
+// kLamps of the shader.
+std::uint32_t lamps_constant(const Inputs& in) {
+  if (in.shading.settings.lighting.path == LightingPath::volumes) return in.lamps.version != 0 ? 2 : 0;
+  return in.shading.scene.light_ranges.count > 0 ? 1 : 0;
+}
+
 }  // namespace
 
 Outputs add(graph::Graph& graph, const Inputs& in) {
@@ -30,6 +37,7 @@ Outputs add(graph::Graph& graph, const Inputs& in) {
   auto& pass = graph.pass("lighting");
   passes::read(pass, in.surface, Access::compute_sample);
   passes::read(pass, in.shading, Access::compute_sample);
+  if (in.lamps.version != 0) pass.read(in.lamps, Access::compute_sample);
   Outputs out{.hdr = pass.write(in.hdr, Access::compute_storage)};
   const auto size = graph.desc(in.hdr);
   const auto list_buffer = pass.write(
@@ -37,8 +45,8 @@ Outputs add(graph::Graph& graph, const Inputs& in) {
   if (lists) out.forward_lists = list_buffer;
 
   auto constants = passes::shading_constants(in.shading);
-  constants.insert(constants.end(), {in.shading.settings.lighting.tiled ? 1u : 0u, lists ? 1u : 0u,
-                                     scene.light_ranges.count > 0 ? 1u : 0u});
+  constants.insert(constants.end(), {in.shading.settings.lighting.path == LightingPath::tiled ? 1u : 0u,
+                                     lists ? 1u : 0u, lamps_constant(in)});
   pass.run([in, out, list_buffer, size, constants](graph::Context& c) {
     auto with_threads = constants;
     with_threads.push_back(c.tools().device.caps().host_is_device ? kThreadsOnHost : kThreads);
@@ -51,6 +59,10 @@ Outputs add(graph::Graph& graph, const Inputs& in) {
         .buffer(8, in.shading.scene.light_bounds)
         .buffer(9, list_buffer);
     passes::bind(own, in.surface);
+    if (in.lamps.version != 0)
+      own.sampled(10, in.lamps, kNearest);
+    else
+      own.sampled(10, in.shading.environment.background);  // bound, never read
     own.bind();
     auto shared = c.set(pipeline, 1);
     passes::bind(shared, in.shading);

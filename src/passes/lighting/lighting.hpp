@@ -7,7 +7,8 @@ namespace velarium::lighting {
 struct Inputs {
   passes::ShadingInputs shading;
   passes::GBuffer surface;
-  graph::GraphImage hdr;  // emissive light
+  graph::GraphImage hdr;    // emissive light
+  graph::GraphImage lamps;  // light_volumes: what all lamps reflect; version 0: this pass asks lamps itself
 };
 
 struct Outputs {

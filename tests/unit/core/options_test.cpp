@@ -86,16 +86,16 @@ TEST(Options, RealsTakeSignsAndExponentsButNoNan) {
 TEST(Options, BooleansTakeSixWords) {
   Settings settings;
   for (const char* word : {"off", "false", "0"}) {
-    set_option(settings, "lighting.tiled", word);
-    EXPECT_FALSE(settings.lighting.tiled);
-    set_option(settings, "lighting.tiled", "on");
-    EXPECT_TRUE(settings.lighting.tiled);
+    set_option(settings, "lighting.occlusion", word);
+    EXPECT_FALSE(settings.lighting.occlusion);
+    set_option(settings, "lighting.occlusion", "on");
+    EXPECT_TRUE(settings.lighting.occlusion);
   }
-  EXPECT_NE(refusal("lighting.tiled", "yes"), "accepted");
+  EXPECT_NE(refusal("lighting.occlusion", "yes"), "accepted");
 }
 
 TEST(Options, RefusalsNameTheChoicesAndTheNearestKey) {
-  EXPECT_EQ(refusal("lighting.model", "rise"), "lighting.model: 'rise' is not one of gltf, ryse");
+  EXPECT_EQ(refusal("lighting.model", "rise"), "lighting.model: 'rise' is not one of gltf, ryse, blinn_phong");
   EXPECT_EQ(refusal("lighting.modle", "ryse"), "'lighting.modle' is not an option; did you mean lighting.model?");
   EXPECT_EQ(refusal("tonemap", "agx"), "'tonemap' is not an option; did you mean display.tonemap?");
   EXPECT_EQ(refusal("zzzzzzzz", "1"), "'zzzzzzzz' is not an option");

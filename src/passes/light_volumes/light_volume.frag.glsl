@@ -1,0 +1,34 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+// One light on the surface of one pixel.
+
+#include "upload/gpu_structs.glsl"
+
+layout(set = 0, binding = 0, std430) readonly buffer FrameBuffer { FrameUniforms frame; };
+
+#include "upload/gbuffer_point.glsl"
+
+layout(constant_id = 20) const uint kKind = 0u;   // light_volumes::VolumeDraw::kind
+
+layout(location = 0) flat in uint in_light;
+
+layout(location = 0) out vec4 out_light;
+
+// Lights come one by one: there are no lists.
+uint tile_light_word(uint word) {
+  return 0u;
+}
+
+vec3 light_of_kind(ShadingPoint p) {
+  if (kKind == 0u) return light_directional(p, in_light);
+  return kKind == 1u ? light_point(p, in_light) : light_spot(p, in_light);
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  uint material_class = gbuffer_class(pixel);
+  out_light = vec4(0.0);
+  if (material_class == kClassUnlit) return;
+  out_light.rgb = light_of_kind(gbuffer_point(pixel, gbuffer_depth(pixel), material_class));
+}
