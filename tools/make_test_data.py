@@ -282,6 +282,50 @@ def lights():
     return g
 
 
+def area_lights():
+    """A bulb of 25 cm over a floor and metal balls from smooth to rough, and a far disc of 6 degrees. No shadows."""
+    g = Gltf()
+    dark = g.material([0.12, 0.12, 0.13, 1], roughness=0.3)
+    g.node(mesh=g.mesh(g.primitive(**ground(10), material=dark)))
+    ball = g.primitive(**sphere(0.42, 24, 48))
+    for k, roughness in enumerate((0.1, 0.2, 0.35, 0.5, 0.7)):
+        metal = g.material([0.85, 0.83, 0.8, 1], metallic=1.0, roughness=roughness)
+        g.node(mesh=g.mesh(dict(ball, material=metal)), translation=[k - 2, 0.42, 0])
+    bulb = {"radius": 0.25, "casts_shadow": False}
+    g.light([0, 1.5, 0.5], [0, 0, 0, 1], name="bulb", type="point", intensity=4, color=[1, 0.8, 0.6], extras=bulb)
+    disc = {"angular_radius": single(math.radians(6)), "casts_shadow": False}
+    toward = looking([0.6, 0.5, -1.6], [0, 0, 0])
+    g.light([0, 3, 0], toward, name="disc", type="directional", intensity=1, color=[0.5, 0.7, 1], extras=disc)
+    g.camera([0, 1.3, 5], [0, 0.35, 0])
+    return g
+
+
+def projectors():
+    """Two spots throw a wide picture onto a floor and a wall, one with soft edges, one of them a bulb that ends at 7 m."""
+
+    def pixel(x, y):
+        bar = x % 8 == 0 or y % 8 == 0
+        return (0, 0, 0, 255) if bar else (255 - 6 * x, 60 + 14 * y % 196, 70 + 7 * x, 255)
+
+    g = Gltf()
+    grey = g.material([0.7, 0.7, 0.7, 1], roughness=0.9)
+    g.node(mesh=g.mesh(g.primitive(**ground(8), material=grey)))
+    g.node(mesh=g.mesh(g.primitive(**quad(8, 4), material=grey)), translation=[0, 2, -1.5])
+    image = g.image(png(24, 16, pixel))
+    for side, more, thrown in (
+        (-1, {}, {"soft_edge": 0, "field_of_view": 0.6}),
+        (1, {"radius": single(0.04), "falloff": "bulb", "cutoff": 7}, {"soft_edge": 0.5}),
+    ):
+        extras = {"casts_shadow": False, "projector": {"image": image, **thrown}, **more}
+        cone = {"innerConeAngle": 0.45, "outerConeAngle": 0.5}
+        place = [1.3 * side, 1.6, 3]
+        toward = looking(place, [1.1 * side, 0.9, -1.5])
+        name = "hard" if side < 0 else "soft"
+        g.light(place, toward, name=name, type="spot", intensity=60, spot=cone, extras=extras)
+    g.camera([0, 1.5, 5.2], [0, 0.9, 0])
+    return g
+
+
 def texture_transform():
     """As it is; moved by a quarter; turned by 30 degrees; scaled and turned."""
     g = Gltf()
@@ -679,6 +723,8 @@ SCENES = [
     mirrored_and_masked,
     blend_layers,
     lights,
+    area_lights,
+    projectors,
     texture_transform,
     unlit,
     emissive_strength,

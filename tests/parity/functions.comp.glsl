@@ -7,7 +7,9 @@
 #include "shading/gbuffer.glsl"
 #include "shading/lights.glsl"
 #include "shading/normal_encoding.glsl"
+#include "shading/projector.glsl"
 #include "shading/sampling.glsl"
+#include "shading/sphere_light.glsl"
 #include "shading/tile_culling.glsl"
 #include "shading/tonemap.glsl"
 
