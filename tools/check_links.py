@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that links of the Markdown pages lead somewhere: files that exist, headings that their page has, and each
-picture of docs/images shown by some page.
+"""Checks that links of the Markdown pages lead somewhere: files that exist, and headings that their page has. Some page
+leads to each page of docs/, and shows each picture of docs/images.
 
 usage: check_links.py [ROOT]
 
@@ -14,6 +14,7 @@ import sys
 import urllib.parse
 
 SKIPPED_FOLDERS = {"build", ".git", ".cache"}
+PAGES = "docs"
 PICTURES = "docs/images"
 CODE = re.compile(r"```.*?```|`[^`\n]*`", re.DOTALL)
 LINK = re.compile(r"\]\(\s*<?([^)\s>]+)>?[^)]*\)")
@@ -69,9 +70,10 @@ def check(root):
             if wrong:
                 number = text.count("\n", 0, link.start()) + 1
                 lines.append(f"{page.relative_to(root)}:{number}: {link.group(1)}: {wrong}")
-    for picture in sorted((root / PICTURES).rglob("*.*")):
-        if picture not in reached:
-            lines.append(f"{picture.relative_to(root)}: no page shows it")
+    for folder, pattern, finding in ((PAGES, "*.md", "no page leads to it"), (PICTURES, "*.*", "no page shows it")):
+        for file in sorted((root / folder).rglob(pattern)):
+            if file not in reached:
+                lines.append(f"{file.relative_to(root)}: {finding}")
     return lines
 
 
