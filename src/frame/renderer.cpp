@@ -8,6 +8,8 @@
 #include "frame/timings.hpp"
 #include "upload/transfer.hpp"
 
+#include <velarium/error.hpp>
+
 #include <glm/gtc/packing.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -82,6 +84,10 @@ const gpu::Image& Renderer::brdf_table(ShadingModel model) {
 RenderResult Renderer::render(const Job& job) {
   const auto& request = job.request;
   check_request(request, tools_.device.caps().max_image_size);
+  if (request.settings.lighting.path == LightingPath::volumes && !tools_.device.caps().blends_float32)
+    throw Error(ErrorCode::unsupported,
+                "this device cannot blend 32-bit floats, in which lighting.path=volumes adds light; lighting.path=tiled "
+                "gives the same picture");
   const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
   const auto view = upload::view_matrices(job.camera, aspect);
   auto scene = upload::make_scene_tables(tools_.device, job.scene, job.moment, view);

@@ -136,6 +136,9 @@ void Device::read_capabilities() {
   caps_.timestamp_ns = limits.timestampComputeAndGraphics ? static_cast<double>(limits.timestampPeriod) : 0.0;
   caps_.host_is_device = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
   caps_.cube_edges_need_blit = driver.driverID == VK_DRIVER_ID_GOOGLE_SWIFTSHADER;
+  VkFormatProperties float32{};
+  vkGetPhysicalDeviceFormatProperties(physical_, VK_FORMAT_R32G32B32A32_SFLOAT, &float32);
+  caps_.blends_float32 = (float32.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT) != 0;
 }
 
 VkCommandBuffer Device::begin() {

@@ -16,6 +16,7 @@ struct Capabilities {
   double timestamp_ns = 0.0;          // nanoseconds a tick; 0: no timestamps
   bool host_is_device = false;        // a CPU driver: all memory is the host's
   bool cube_edges_need_blit = false;  // see fill_cube_edges()
+  bool blends_float32 = false;        // may targets of four 32-bit floats be blended?
 };
 
 // A logical device with its one queue. Not thread-safe.

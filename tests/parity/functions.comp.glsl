@@ -5,6 +5,7 @@
 #include "shading/display.glsl"
 #include "shading/environment.glsl"
 #include "shading/gbuffer.glsl"
+#include "shading/light_volumes.glsl"
 #include "shading/lights.glsl"
 #include "shading/normal_encoding.glsl"
 #include "shading/projector.glsl"
