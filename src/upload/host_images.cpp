@@ -3,6 +3,7 @@
 #include "core/jobs.hpp"
 #include "gpu/barrier.hpp"
 #include "upload/mips.hpp"
+#include "upload/normal_mips.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -23,16 +24,25 @@ TexelRows rows_of(const gpu::Image& image, std::uint32_t mip) {
   return {first, pitch, std::max(desc.width >> mip, 1u), std::max(desc.height >> mip, 1u)};
 }
 
-void write(const gpu::Image& image, std::span<const std::byte> texels) {
-  TexelRows level = rows_of(image, 0);
-  const std::size_t row_bytes = kTexelBytes * level.width;
-  for (std::uint32_t y = 0; y < level.height; ++y)
-    std::memcpy(level.first + y * level.pitch, texels.data() + y * row_bytes, row_bytes);
-  for (std::uint32_t mip = 1; mip < image.desc().mips; ++mip) {
-    const TexelRows next = rows_of(image, mip);
-    make_mip(level, next, is_srgb(image.desc().format));
-    level = next;
+void write_mips(std::span<const TexelRows> levels, const ImageSource& source) {
+  if (source.filter == MipFilter::normals) return make_normal_mips(levels);
+  for (std::size_t mip = 1; mip < levels.size(); ++mip)
+    make_mip(levels[mip - 1], levels[mip], is_srgb(source.desc.format));
+}
+
+void write(const gpu::Image& image, const ImageSource& source) {
+  std::vector<TexelRows> levels;
+  for (std::uint32_t mip = 0; mip < source.desc.mips; ++mip) levels.push_back(rows_of(image, mip));
+  const TexelRows& full = levels.front();
+  const std::size_t row_bytes = kTexelBytes * full.width;
+  for (std::uint32_t y = 0; y < full.height; ++y) {
+    const auto row = source.texels.subspan(y * row_bytes, row_bytes);
+    if (source.filter == MipFilter::normals)
+      copy_without_alpha(row, full.first + y * full.pitch);
+    else
+      std::memcpy(full.first + y * full.pitch, row.data(), row_bytes);
   }
+  write_mips(levels, source);
 }
 
 }  // namespace
@@ -46,7 +56,7 @@ std::vector<gpu::Image> make_host_images(gpu::Device& device, std::span<const Im
   std::vector<gpu::Image> images;
   images.reserve(sources.size());
   for (const auto& source : sources) images.emplace_back(device, source.desc, kUsage, gpu::Tiling::linear);
-  parallel_for(sources.size(), [&](std::size_t i) { write(images[i], sources[i].texels); });
+  parallel_for(sources.size(), [&](std::size_t i) { write(images[i], sources[i]); });
 
   constexpr gpu::Scope kHostWrite{VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_WRITE_BIT};
   const VkCommandBuffer commands = device.begin();

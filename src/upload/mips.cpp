@@ -52,26 +52,7 @@ struct SrgbCodec {
   [[nodiscard]] std::uint8_t code(std::uint32_t linear) const { return tables.code[linear]; }
 };
 
-// The two texels around the centre of a smaller level's texel, and how much of the second.
-struct Tap {
-  std::uint32_t first, second;
-  std::uint32_t weight;  // of the second, in 256ths
-};
-
-constexpr std::uint32_t kTapOne = 256;
-
-// Centre i + 0.5 of `to` lies at (i + 0.5) * from / to - 0.5 among the centres of `from`: in units of 1 / (2 to), so
-// that whole numbers do.
-std::vector<Tap> make_taps(std::uint32_t from, std::uint32_t to) {
-  std::vector<Tap> taps(to);
-  const std::uint64_t unit = std::uint64_t{2} * to;
-  for (std::uint32_t i = 0; i < to; ++i) {
-    const std::uint64_t place = (std::uint64_t{2} * i + 1) * from - to;
-    const auto first = static_cast<std::uint32_t>(place / unit);
-    taps[i] = {first, std::min(first + 1, from - 1), static_cast<std::uint32_t>(place % unit * kTapOne / unit)};
-  }
-  return taps;
-}
+constexpr std::uint32_t kTapOne = 256;  // the weight of Tap
 
 std::uint32_t blend(std::uint32_t a, std::uint32_t b, std::uint32_t weight) {
   return (a * (kTapOne - weight) + b * weight + kTapOne / 2) / kTapOne;
@@ -119,6 +100,19 @@ void make_mip_of(const ColorCodec& color, const TexelRows& from, const TexelRows
 }
 
 }  // namespace
+
+// Centre i + 0.5 of `to` lies at (i + 0.5) * from / to - 0.5 among the centres of `from`: in units of 1 / (2 to), so
+// that whole numbers do.
+std::vector<Tap> make_taps(std::uint32_t from, std::uint32_t to) {
+  std::vector<Tap> taps(to);
+  const std::uint64_t unit = std::uint64_t{2} * to;
+  for (std::uint32_t i = 0; i < to; ++i) {
+    const std::uint64_t place = (std::uint64_t{2} * i + 1) * from - to;
+    const auto first = static_cast<std::uint32_t>(place / unit);
+    taps[i] = {first, std::min(first + 1, from - 1), static_cast<std::uint32_t>(place % unit * kTapOne / unit)};
+  }
+  return taps;
+}
 
 void make_mip(const TexelRows& from, const TexelRows& to, bool srgb) {
   static const SrgbTables tables;

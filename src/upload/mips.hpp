@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace velarium::upload {
 
@@ -11,6 +12,16 @@ struct TexelRows {
   std::size_t pitch = 0;  // bytes from one row to the next
   std::uint32_t width = 0, height = 0;
 };
+
+// The two texels around the centre of a smaller level's texel, and how much of the second, in 256ths.
+struct Tap {
+  std::uint32_t first, second;
+  std::uint32_t weight;
+  [[nodiscard]] float share() const { return static_cast<float>(weight) / 256.0f; }
+};
+
+// Of each of `to` texels along a side of `from`. Precondition: to <= from.
+[[nodiscard]] std::vector<Tap> make_taps(std::uint32_t from, std::uint32_t to);
 
 // Fills `to` from the level above it, as vkCmdBlitImage with a linear filter does (Vulkan 1.3, "Image Copies With
 // Scaling"): each texel is the mean of the two by two around its centre, weighted by their distance from it, and

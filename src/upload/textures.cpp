@@ -27,12 +27,13 @@ VkFilter filter(scene::Filter f) {
   return f == scene::Filter::nearest ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
 }
 
-ImageSource image_source(const scene::Image& image, bool srgb) {
-  return {{.format = srgb ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
+ImageSource image_source(const scene::Image& image, TexelKind kind) {
+  return {{.format = kind == TexelKind::color ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM,
            .width = image.width,
            .height = image.height,
            .mips = gpu::full_mip_count(image.width, image.height)},
-          std::as_bytes(std::span(image.rgba))};
+          std::as_bytes(std::span(image.rgba)),
+          kind == TexelKind::normals ? MipFilter::normals : MipFilter::mean};
 }
 
 }  // namespace
@@ -42,8 +43,10 @@ std::array<const scene::TextureRef*, kSlotCount> slots_of(const scene::Material&
           &m.emissive_texture,   &m.specular_texture,           &m.specular_color_texture};
 }
 
-bool slot_is_srgb(std::uint32_t slot) {
-  return slot == kSlotBaseColor || slot == kSlotEmissive || slot == kSlotSpecularColor;
+TexelKind texel_kind(std::uint32_t slot) {
+  if (slot == kSlotNormal) return TexelKind::normals;
+  return slot == kSlotBaseColor || slot == kSlotEmissive || slot == kSlotSpecularColor ? TexelKind::color
+                                                                                       : TexelKind::data;
 }
 
 gpu::SamplerDesc sampler_desc(const scene::Sampler& sampler, float anisotropy, float lod_bias) {
@@ -71,8 +74,8 @@ Textures::Textures(gpu::Device& device, const scene::Scene& scene) : scene_(scen
         throw Error(ErrorCode::input_invalid, scene.source,
                     fmt::format("/images/{}: {}x{} pixels, the device takes {} a side", number, image.width,
                                 image.height, device.caps().max_image_size));
-      const bool srgb = slot_is_srgb(slot);
-      if (index_.emplace(std::pair{number, srgb}, sources.size()).second) sources.push_back(image_source(image, srgb));
+      const TexelKind kind = texel_kind(slot);
+      if (index_.emplace(std::pair{number, kind}, sources.size()).second) sources.push_back(image_source(image, kind));
     }
   }
   sources.push_back({{.format = VK_FORMAT_R8G8B8A8_UNORM}, std::as_bytes(std::span(kWhite))});
@@ -82,7 +85,7 @@ Textures::Textures(gpu::Device& device, const scene::Scene& scene) : scene_(scen
 Textures::Bound Textures::bound(const scene::TextureRef& ref, std::uint32_t slot) const {
   if (ref.present()) {
     const auto& texture = scene_.textures[static_cast<std::size_t>(ref.texture)];
-    const auto found = index_.find({texture.image, slot_is_srgb(slot)});
+    const auto found = index_.find({texture.image, texel_kind(slot)});
     if (found != index_.end()) return {&images_[found->second], texture.sampler};
   }
   return {&images_.back(), {}};

@@ -14,12 +14,13 @@ namespace velarium::upload {
 // The texture of each slot of a material, in slot order.
 [[nodiscard]] std::array<const scene::TextureRef*, kSlotCount> slots_of(const scene::Material& material);
 
-// Does this slot hold colours, which are stored sRGB-encoded?
-[[nodiscard]] bool slot_is_srgb(std::uint32_t slot);
+// What the texels of a slot are: colours are stored sRGB-encoded, and mips of normals keep how far those spread.
+enum class TexelKind { color, data, normals };
+[[nodiscard]] TexelKind texel_kind(std::uint32_t slot);
 
 [[nodiscard]] gpu::SamplerDesc sampler_desc(const scene::Sampler& sampler, float anisotropy, float lod_bias);
 
-// Every image that a material uses, on the device with its mips: once as colour, once as data, where both are needed.
+// Every image that a material uses, on the device with its mips: once for each kind that is needed.
 class Textures {
  public:
   // Throws Error(input_invalid) for an image larger than the device allows.
@@ -34,8 +35,8 @@ class Textures {
 
  private:
   const scene::Scene& scene_;
-  std::vector<gpu::Image> images_;                              // the last is the white texel
-  std::map<std::pair<std::int32_t, bool>, std::size_t> index_;  // (scene image, sRGB) -> images_
+  std::vector<gpu::Image> images_;                                   // the last is the white texel
+  std::map<std::pair<std::int32_t, TexelKind>, std::size_t> index_;  // (scene image, kind) -> images_
 };
 
 }  // namespace velarium::upload

@@ -2,9 +2,11 @@
 
 #include "gpu/barrier.hpp"
 #include "upload/host_images.hpp"
+#include "upload/normal_mips.hpp"
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 namespace velarium::upload {
 namespace {
@@ -41,25 +43,44 @@ void blit_mip(VkCommandBuffer commands, const gpu::Image& image, std::uint32_t m
   vkCmdBlitImage2(commands, &blit);
 }
 
-void record_upload(VkCommandBuffer commands, gpu::Image& image, VkBuffer staging, VkDeviceSize offset) {
-  const auto& desc = image.desc();
-  constexpr VkImageLayout kSrc = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kDst = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+constexpr VkImageLayout kSampled = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+
+void copy_level_0(VkCommandBuffer commands, const gpu::Image& image, VkBuffer staging, VkDeviceSize offset) {
   constexpr gpu::Scope kFresh{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_NONE};
-  const auto change = [&](gpu::MipRange mips, const gpu::Scope& before, const gpu::Scope& after, gpu::Layouts layouts) {
-    gpu::record(commands, gpu::image_barrier(image, before, after, layouts, mips));
-  };
-  change({0, desc.mips}, kFresh, gpu::kTransferWrite, {VK_IMAGE_LAYOUT_UNDEFINED, kDst});
+  constexpr VkImageLayout kDst = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+  gpu::record(commands, gpu::image_barrier(image, kFresh, gpu::kTransferWrite, {VK_IMAGE_LAYOUT_UNDEFINED, kDst}));
+  const auto& desc = image.desc();
   const VkBufferImageCopy copy{.bufferOffset = offset,
                                .imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, desc.layers},
                                .imageExtent = {desc.width, desc.height, 1}};
   vkCmdCopyBufferToImage(commands, staging, image.vk(), kDst, 1, &copy);
-  for (std::uint32_t mip = 1; mip < desc.mips; ++mip) {
+}
+
+void record_blits(VkCommandBuffer commands, gpu::Image& image) {
+  const std::uint32_t mips = image.desc().mips;
+  constexpr VkImageLayout kSrc = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kDst = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+  const auto change = [&](gpu::MipRange range, const gpu::Scope& before, const gpu::Scope& after,
+                          gpu::Layouts layouts) {
+    gpu::record(commands, gpu::image_barrier(image, before, after, layouts, range));
+  };
+  for (std::uint32_t mip = 1; mip < mips; ++mip) {
     change({mip - 1, 1}, gpu::kTransferWrite, gpu::kTransferRead, {kDst, kSrc});
     blit_mip(commands, image, mip);
   }
-  constexpr VkImageLayout kSampled = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-  if (desc.mips > 1) change({0, desc.mips - 1}, gpu::kTransferRead, kSampledByShaders, {kSrc, kSampled});
-  change({desc.mips - 1, 1}, gpu::kTransferWrite, kSampledByShaders, {kDst, kSampled});
+  if (mips > 1) change({0, mips - 1}, gpu::kTransferRead, kSampledByShaders, {kSrc, kSampled});
+  change({mips - 1, 1}, gpu::kTransferWrite, kSampledByShaders, {kDst, kSampled});
+  image.layout = kSampled;
+}
+
+void record_normal_mips(VkCommandBuffer commands, gpu::Image& image, NormalMipmapper& mipmapper) {
+  constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+  constexpr gpu::Scope kStores{kCompute, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+  constexpr gpu::Scope kStored{kCompute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+  constexpr VkImageLayout kGeneral = VK_IMAGE_LAYOUT_GENERAL;
+  gpu::record(commands, gpu::image_barrier(image, gpu::kTransferWrite, kStores,
+                                           {VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, kGeneral}));
+  mipmapper.record(commands, image);
+  gpu::record(commands, gpu::image_barrier(image, kStored, kSampledByShaders, {kGeneral, kSampled}));
   image.layout = kSampled;
 }
 
@@ -67,36 +88,43 @@ VkDeviceSize staged_size(const ImageSource& source) {
   return (source.texels.size() + kCopyAlignment - 1) / kCopyAlignment * kCopyAlignment;
 }
 
-// Uploads sources[first, last) from one staging buffer.
-void upload_batch(gpu::Device& device, std::span<const ImageSource> sources, std::span<gpu::Image> images) {
-  VkDeviceSize total = 0;
-  for (const auto& source : sources) total += staged_size(source);
-  const gpu::Buffer staging(device, total, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, gpu::MemoryUse::upload);
-  const VkCommandBuffer commands = device.begin();
-  VkDeviceSize offset = 0;
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    std::memcpy(staging.mapped().data() + offset, sources[i].texels.data(), sources[i].texels.size());
-    record_upload(commands, images[i], staging.vk(), offset);
-    offset += staged_size(sources[i]);
-  }
-  device.submit_and_wait(commands);
-}
+// Images by way of staging memory, a batch at a time.
+class Uploader {
+ public:
+  explicit Uploader(gpu::Device& device) : device_(device) {}
 
-// Uploads in batches of bounded staging memory.
-std::vector<gpu::Image> make_staged_images(gpu::Device& device, std::span<const ImageSource> sources) {
-  std::vector<gpu::Image> images;
-  images.reserve(sources.size());
-  for (const auto& source : sources) images.emplace_back(device, source.desc, kUsage);
-  for (std::size_t first = 0; first < sources.size();) {
-    std::size_t last = first;
-    VkDeviceSize bytes = 0;
-    while (last < sources.size() && (last == first || bytes + staged_size(sources[last]) <= kBatchBytes))
-      bytes += staged_size(sources[last++]);
-    upload_batch(device, sources.subspan(first, last - first), std::span(images).subspan(first, last - first));
-    first = last;
+  void upload(std::span<const ImageSource> sources, std::span<gpu::Image> images) {
+    VkDeviceSize total = 0;
+    for (const auto& source : sources) total += staged_size(source);
+    const gpu::Buffer staging(device_, total, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, gpu::MemoryUse::upload);
+    const VkCommandBuffer commands = device_.begin();
+    VkDeviceSize offset = 0;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      stage(sources[i], staging.mapped().data() + offset);
+      copy_level_0(commands, images[i], staging.vk(), offset);
+      if (sources[i].filter == MipFilter::normals)
+        record_normal_mips(commands, images[i], mipmapper());
+      else
+        record_blits(commands, images[i]);
+      offset += staged_size(sources[i]);
+    }
+    device_.submit_and_wait(commands);
+    if (mipmapper_) mipmapper_->reset();
   }
-  return images;
-}
+
+ private:
+  static void stage(const ImageSource& source, std::byte* to) {
+    if (source.filter == MipFilter::normals)
+      copy_without_alpha(source.texels, to);
+    else
+      std::memcpy(to, source.texels.data(), source.texels.size());
+  }
+  // Made when a normal map comes: it compiles a shader.
+  NormalMipmapper& mipmapper() { return mipmapper_ ? *mipmapper_ : mipmapper_.emplace(device_); }
+
+  gpu::Device& device_;
+  std::optional<NormalMipmapper> mipmapper_;
+};
 
 }  // namespace
 
@@ -115,6 +143,25 @@ gpu::Buffer make_buffer(gpu::Device& device, std::span<const std::byte> bytes, V
   vkCmdCopyBuffer(commands, staging.vk(), buffer.vk(), 1, &copy);
   device.submit_and_wait(commands);
   return buffer;
+}
+
+std::vector<gpu::Image> make_staged_images(gpu::Device& device, std::span<const ImageSource> sources) {
+  std::vector<gpu::Image> images;
+  images.reserve(sources.size());
+  for (const auto& source : sources) {
+    const bool stored = source.filter == MipFilter::normals;
+    images.emplace_back(device, source.desc, stored ? kUsage | VK_IMAGE_USAGE_STORAGE_BIT : kUsage);
+  }
+  Uploader uploader(device);
+  for (std::size_t first = 0; first < sources.size();) {
+    std::size_t last = first;
+    VkDeviceSize bytes = 0;
+    while (last < sources.size() && (last == first || bytes + staged_size(sources[last]) <= kBatchBytes))
+      bytes += staged_size(sources[last++]);
+    uploader.upload(sources.subspan(first, last - first), std::span(images).subspan(first, last - first));
+    first = last;
+  }
+  return images;
 }
 
 std::vector<gpu::Image> make_images(gpu::Device& device, std::span<const ImageSource> sources) {

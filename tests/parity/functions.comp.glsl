@@ -8,6 +8,7 @@
 #include "shading/light_volumes.glsl"
 #include "shading/lights.glsl"
 #include "shading/normal_encoding.glsl"
+#include "shading/normal_variance.glsl"
 #include "shading/projector.glsl"
 #include "shading/sampling.glsl"
 #include "shading/sphere_light.glsl"

@@ -1,0 +1,77 @@
+#include "gpu/barrier.hpp"
+#include "upload/normal_mips.hpp"
+
+#include <algorithm>
+
+namespace velarium::upload {
+namespace {
+
+constexpr std::uint32_t kShader[] =
+#include "shaders/normal_mips.comp.inc"
+    ;
+constexpr std::uint32_t kGroupSize = 8;
+constexpr VkDeviceSize kMeanBytes = 16;
+
+struct Push {
+  std::uint32_t from_width, from_height, to_width, to_height;
+  std::uint32_t from_first, to_first, from_base;
+};
+
+std::uint32_t groups(std::uint32_t threads) {
+  return (threads + kGroupSize - 1) / kGroupSize;
+}
+
+std::uint32_t mip_size(std::uint32_t size, std::uint32_t mip) {
+  return std::max(size >> mip, 1u);
+}
+
+// Texels of all levels but the first.
+std::uint32_t mean_count(const gpu::ImageDesc& desc) {
+  std::uint32_t count = 0;
+  for (std::uint32_t mip = 1; mip < desc.mips; ++mip) count += mip_size(desc.width, mip) * mip_size(desc.height, mip);
+  return count;
+}
+
+void wait_for_stores(VkCommandBuffer commands) {
+  constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+  constexpr gpu::Scope kStored{kCompute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+  constexpr gpu::Scope kRead{kCompute, VK_ACCESS_2_SHADER_STORAGE_READ_BIT};
+  gpu::record(commands, gpu::memory_barrier(kStored, kRead));
+}
+
+}  // namespace
+
+void NormalMipmapper::record(VkCommandBuffer commands, const gpu::Image& image) {
+  const auto& desc = image.desc();
+  if (desc.mips == 1) return;
+  const auto& pipeline = tools_.pipelines.compute(kShader);
+  const auto& means = means_.emplace_back(tools_.device, kMeanBytes * mean_count(desc),
+                                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::MemoryUse::device);
+  vkCmdBindPipeline(commands, pipeline.bind_point(), pipeline.vk());
+  std::uint32_t above = 0, first = 0;
+  for (std::uint32_t mip = 1; mip < desc.mips; ++mip) {
+    const Push push{mip_size(desc.width, mip - 1),
+                    mip_size(desc.height, mip - 1),
+                    mip_size(desc.width, mip),
+                    mip_size(desc.height, mip),
+                    above,
+                    first,
+                    mip == 1 ? 1u : 0u};
+    const auto bindings =
+        gpu::Bindings().storage(0, image.mip_view(0)).storage(1, image.mip_view(mip)).buffer(2, means);
+    const VkDescriptorSet set = tools_.descriptors.make(pipeline, 0, bindings);
+    if (mip > 1) wait_for_stores(commands);
+    vkCmdBindDescriptorSets(commands, pipeline.bind_point(), pipeline.layout(), 0, 1, &set, 0, nullptr);
+    vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof push, &push);
+    vkCmdDispatch(commands, groups(push.to_width), groups(push.to_height), 1);
+    above = first;
+    first += push.to_width * push.to_height;
+  }
+}
+
+void NormalMipmapper::reset() {
+  means_.clear();
+  tools_.descriptors.reset();
+}
+
+}  // namespace velarium::upload
