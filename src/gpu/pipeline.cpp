@@ -63,7 +63,7 @@ BlendFactors blend_factors(Blend blend) {
       return {VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ZERO};
     case Blend::premultiplied:
       return {VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA};
-    case Blend::multiply:
+    case Blend::veil:
       return {VK_BLEND_FACTOR_ZERO, VK_BLEND_FACTOR_SRC_COLOR};
     case Blend::add:
       return {VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ONE};
@@ -81,7 +81,7 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend, bool write) {
           .colorBlendOp = VK_BLEND_OP_ADD,
           .srcAlphaBlendFactor = source,
           .dstAlphaBlendFactor = destination,
-          .alphaBlendOp = VK_BLEND_OP_ADD,
+          .alphaBlendOp = blend == Blend::veil ? VK_BLEND_OP_MAX : VK_BLEND_OP_ADD,  // MAX knows no factors
           .colorWriteMask = write ? kAll : 0};
 }
 

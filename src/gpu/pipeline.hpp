@@ -34,7 +34,7 @@ struct VertexBinding {
 enum class Blend {
   none,
   premultiplied,  // new + (1 - new.a) old
-  multiply,       // new old
+  veil,           // rgb: new old; a: the larger
   add,            // new + old
 };
 

@@ -26,7 +26,7 @@ float power_of(const Object& object, std::uint32_t triangle, const Materials& ma
     const SurfacePoint p = surface_point(object, triangle, place.x, place.y);
     area = p.area_m2;
     const Footprint footprint{0.5f * std::sqrt(p.area_m2), 0.5f};
-    sum += materials.emission(p, footprint) * materials.opacity(p, footprint);
+    sum += materials.emission(p, footprint) * materials.veil(p, footprint).opacity;
   }
   const float sides = materials.double_sided(object.material) ? 2.0f : 1.0f;
   const float power = shading::luminance(sum) / kPlaces.size() * area * sides;
@@ -79,10 +79,7 @@ std::optional<Emitters::Sample> Emitters::sample(const glm::vec3& position, floa
                                                  const glm::vec2& u) const {
   const Distribution1d::Sample chosen = choice_.sample(u_triangle);
   const auto [object, triangle] = triangles_[chosen.index];
-  // Evenly over the triangle: the square folded onto it without a crease along a diagonal [Heitz 2019].
-  glm::vec2 place = 0.5f * u;
-  const float offset = place.y - place.x;
-  offset > 0.0f ? place.y += offset : place.x -= offset;
+  const glm::vec3 place = shading::sample_triangle(u);
   Sample sample{.point = surface_point(objects_[object], triangle, place.x, place.y)};
   const SurfacePoint& p = sample.point;
   sample.front = glm::dot(position - p.position_ws, p.geometric_normal_ws) > 0.0f;
@@ -90,7 +87,7 @@ std::optional<Emitters::Sample> Emitters::sample(const glm::vec3& position, floa
   sample.pdf_m2 = chosen.probability / p.area_m2;
   // The largest mip: what the eye would see from near.
   const Footprint sharp{0.0f, chosen.rest};
-  sample.radiance = materials_.emission(p, sharp) * materials_.opacity(p, sharp);
+  sample.radiance = materials_.emission(p, sharp) * materials_.veil(p, sharp).opacity;
   return sample;
 }
 

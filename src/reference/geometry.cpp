@@ -59,13 +59,14 @@ struct Geometry::Context {
   RTCIntersectContext embree;  // first: filters find the rest behind it
   const Geometry* geometry;
   const Ray* ray;
+  Veils veils;
 
   Context(const Geometry* g, const Ray* r) : embree{}, geometry(g), ray(r) {
     rtcInitIntersectContext(&embree);
     if (r->skip_back_faces) embree.filter = filter_back_faces;
   }
-  static const Context& of(const RTCFilterFunctionNArguments* arguments) {
-    return *reinterpret_cast<const Context*>(arguments->context);
+  static Context& of(const RTCFilterFunctionNArguments* arguments) {
+    return *reinterpret_cast<Context*>(arguments->context);
   }
 };
 
@@ -141,36 +142,47 @@ void Geometry::check(const char* doing) const {
   throw Error(ErrorCode::internal, fmt::format("{}: Embree reports error {}", doing, static_cast<int>(error)));
 }
 
-std::optional<Hit> Geometry::closest(const Ray& ray) const {
+glm::vec3 Veils::dye_from(float distance) const {
+  glm::vec3 dye(1.0f);
+  for (const One& one : passed)
+    if (one.distance < distance) dye *= one.dye;
+  return dye;
+}
+
+Found Geometry::closest(const Ray& ray) const {
   Context context(this, &ray);
   RTCRayHit found{embree_ray(ray), {}};
   found.hit.geomID = found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(top_.get(), &context.embree, &found);
-  if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {std::nullopt, std::move(context.veils)};
   const std::uint32_t object = found.hit.instID[0] == RTC_INVALID_GEOMETRY_ID ? found.hit.geomID : found.hit.instID[0];
-  return Hit{object, found.hit.primID, found.hit.u, found.hit.v, found.ray.tfar};
+  return {Hit{object, found.hit.primID, found.hit.u, found.hit.v, found.ray.tfar}, std::move(context.veils)};
 }
 
-bool Geometry::occluded(const Ray& ray) const {
+glm::vec3 Geometry::transmitted(const Ray& ray) const {
   Context context(this, &ray);
   RTCRay r = embree_ray(ray);
   rtcOccluded1(top_.get(), &context.embree, &r);
-  return r.tfar < 0.0f;
+  if (r.tfar < 0.0f) return glm::vec3(0.0f);
+  return context.veils.dye_from(std::numeric_limits<float>::infinity());
 }
 
-bool Geometry::lets_through(const Context& context, std::uint32_t object, std::uint32_t triangle, float u, float v,
+bool Geometry::lets_through(Context& context, std::uint32_t object, std::uint32_t triangle, float u, float v,
                             float distance) const {
   const SurfacePoint p = surface_point(objects_[object], triangle, u, v);
   const std::uint32_t fate = fate_of(context.ray->chance, object, triangle);
   const Footprint footprint{context.ray->cone_at(distance), shading::hash_to_float(fate)};
-  return shading::unit_float(fate) >= materials_.opacity(p, footprint);
+  const Veil veil = materials_.veil(p, footprint);
+  if (shading::unit_float(fate) < veil.opacity) return false;
+  if (veil.dye != glm::vec3(1.0f)) context.veils.passed.push_back({distance, veil.dye});
+  return true;
 }
 
 // Rays come one at a time: N is 1.
 void Geometry::filter_transparent(const RTCFilterFunctionNArguments* arguments) {
   VEL_ASSERT(arguments->N == 1);
   if (arguments->valid[0] == 0) return;
-  const Context& context = Context::of(arguments);
+  Context& context = Context::of(arguments);
   const unsigned instance = RTCHitN_instID(arguments->hit, 1, 0, 0), id = RTCHitN_geomID(arguments->hit, 1, 0);
   const std::uint32_t object = instance == RTC_INVALID_GEOMETRY_ID ? id : instance;
   if (context.geometry->lets_through(context, object, RTCHitN_primID(arguments->hit, 1, 0),

@@ -29,6 +29,23 @@ struct Ray {
   [[nodiscard]] float cone_at(float distance) const { return cone_width_m + cone_spread * distance; }
 };
 
+// Blended triangles that a ray went through, in no order, and some perhaps behind what stopped it.
+struct Veils {
+  struct One {
+    float distance;
+    glm::vec3 dye;
+  };
+  std::vector<One> passed;
+
+  // What multiplies light that comes from this far.
+  [[nodiscard]] glm::vec3 dye_from(float distance) const;
+};
+
+struct Found {
+  std::optional<Hit> hit;
+  Veils veils;
+};
+
 // Triangles in a hierarchy of boxes. Equal scenes give equal hits, whatever the number of threads.
 class Geometry {
  public:
@@ -38,9 +55,9 @@ class Geometry {
   Geometry& operator=(const Geometry&) = delete;
 
   // The nearest triangle that stops the ray.
-  [[nodiscard]] std::optional<Hit> closest(const Ray& ray) const;
-  // Whether any triangle stops the ray.
-  [[nodiscard]] bool occluded(const Ray& ray) const;
+  [[nodiscard]] Found closest(const Ray& ray) const;
+  // What multiplies light that comes along the whole ray: 0 where any triangle stops it.
+  [[nodiscard]] glm::vec3 transmitted(const Ray& ray) const;
 
  private:
   struct Context;
@@ -55,7 +72,7 @@ class Geometry {
   void attach(RTCScene scene, RTCGeometry geometry, std::uint32_t material, unsigned id);
   [[nodiscard]] SceneOwner new_scene() const;
   void check(const char* doing) const;
-  [[nodiscard]] bool lets_through(const Context& context, std::uint32_t object, std::uint32_t triangle, float u,
+  [[nodiscard]] bool lets_through(Context& context, std::uint32_t object, std::uint32_t triangle, float u,
                                   float v, float distance) const;
   static void filter_transparent(const RTCFilterFunctionNArguments* arguments);
   static void filter_back_faces(const RTCFilterFunctionNArguments* arguments);

@@ -11,19 +11,28 @@ class Materials::Reader {
   Reader(const SurfacePoint& p, const Footprint& footprint) : point(p), footprint_(footprint) {}
 
   [[nodiscard]] glm::vec4 read(const Slot& slot) {
-    const BoundTexture& texture = slot.texture;
-    if (!texture) return glm::vec4(1.0f);
-    if (texture.uv_set != set_) {
-      set_ = texture.uv_set;
-      uv_ = point.uv(set_);
-      log2_uv_ = point.log2_uv(set_, footprint_.width_m);
-    }
-    return texture.sample(uv_, slot.log2_texels + log2_uv_, footprint_.choice);
+    if (!slot.texture) return glm::vec4(1.0f);
+    turn_to(slot.texture.uv_set);
+    return slot.texture.sample(uv_, slot.log2_texels + log2_uv_, footprint_.choice);
+  }
+
+  // Of the largest mip, whatever the footprint. Means of normals are the normals of a smoother surface: what is averaged
+  // is the light of many paths. Precondition: there is a texture.
+  [[nodiscard]] glm::vec4 read_full_size(const Slot& slot) {
+    turn_to(slot.texture.uv_set);
+    return slot.texture.sample(uv_, 0.0f, footprint_.choice);
   }
 
   const SurfacePoint& point;
 
  private:
+  void turn_to(std::uint32_t uv_set) {
+    if (uv_set == set_) return;
+    set_ = uv_set;
+    uv_ = point.uv(set_);
+    log2_uv_ = point.log2_uv(set_, footprint_.width_m);
+  }
+
   const Footprint& footprint_;
   std::uint32_t set_ = scene::kMaxUvSets;  // none yet
   glm::vec2 uv_{0.0f};
@@ -58,13 +67,14 @@ bool Materials::may_emit(std::uint32_t material) const {
   return m.unlit ? glm::vec3(m.base_color) != glm::vec3(0.0f) : m.emissive != glm::vec3(0.0f);
 }
 
-float Materials::opacity(const SurfacePoint& p, const Footprint& footprint) const {
+Veil Materials::veil(const SurfacePoint& p, const Footprint& footprint) const {
   const Material& m = of(p);
-  if (m.source->alpha_mode == scene::AlphaMode::opaque) return 1.0f;
+  if (m.source->alpha_mode == scene::AlphaMode::opaque) return {};
   Reader reader(p, footprint);
-  const float alpha = base_color(m, reader).w;
-  if (m.source->alpha_mode == scene::AlphaMode::mask) return alpha < m.source->alpha_cutoff ? 0.0f : 1.0f;
-  return std::clamp(alpha, 0.0f, 1.0f);
+  const glm::vec4 color = base_color(m, reader);
+  if (m.source->alpha_mode == scene::AlphaMode::mask) return {color.w < m.source->alpha_cutoff ? 0.0f : 1.0f};
+  const glm::vec4 bounded = glm::clamp(color, 0.0f, 1.0f);
+  return {bounded.w, shading::blend_dye(glm::vec3(bounded), bounded.w)};
 }
 
 glm::vec3 Materials::emission(const SurfacePoint& p, const Footprint& footprint) const {
@@ -109,7 +119,7 @@ glm::vec3 Materials::shading_normal(const Material& m, bool front, Reader& reade
   const glm::vec4 tangent = m.normal.texture ? reader.point.tangent_ws() : glm::vec4(0.0f);
   const glm::vec3 along_u(tangent);
   if (along_u == glm::vec3(0.0f)) return (side / std::sqrt(squared)) * interpolated;
-  glm::vec3 mapped = glm::vec3(reader.read(m.normal)) * 2.0f - 1.0f;
+  glm::vec3 mapped = glm::vec3(reader.read_full_size(m.normal)) * 2.0f - 1.0f;
   mapped.x *= m.source->normal_scale;
   mapped.y *= m.source->normal_scale;
   // As MikkTSpace asks: interpolated vectors are used as they are, and the sum alone is normalised.

@@ -123,8 +123,11 @@ PathSample PathTracer::trace(uvec2 pixel, std::uint32_t sample) const {
 void PathTracer::follow(Path& path) const {
   while (true) {
     path.ray.chance = path.next_chance();
-    const std::optional<Hit> hit = world_.geometry.closest(path.ray);
-    if (transport_.shadows) add_spheres(path, hit ? hit->distance : std::numeric_limits<float>::infinity());
+    const auto [hit, veils] = world_.geometry.closest(path.ray);
+    const float reach = hit ? hit->distance : std::numeric_limits<float>::infinity();
+    if (transport_.shadows) add_spheres(path, veils, reach);
+    // What is seen is mixed by coverage, as the picture's alpha has it; light that arrives is dyed as well.
+    if (path.reflections > 0) path.throughput *= veils.dye_from(reach);
     if (!hit) {
       if (path.reflections == 0) return add_background(path);
       if (transport_.shadows) add_environment(path);
@@ -178,11 +181,12 @@ void PathTracer::add_environment(Path& path) const {
            transport_.clamp);
 }
 
-void PathTracer::add_spheres(Path& path, float distance) const {
+void PathTracer::add_spheres(Path& path, const Veils& veils, float distance) const {
   if (path.reflections == 0 || !world_.lights.has_spheres()) return;
   world_.lights.for_each_sphere(
       path.receiver, path.chances, path.ray.direction, distance, [&](const Lights::SphereHit& hit) {
-        path.add(balance(path.pdf_sr, hit.pdf_sr) * hit.radiance, path.reflections, transport_.clamp);
+        path.add(balance(path.pdf_sr, hit.pdf_sr) * hit.radiance * veils.dye_from(hit.distance), path.reflections,
+                 transport_.clamp);
       });
 }
 
@@ -204,16 +208,19 @@ void PathTracer::add_light(Path& path, const Vertex& vertex, const Draws& draws)
   const float alpha = delta ? std::max(vertex.alpha, transport_.min_highlight_alpha) : vertex.alpha;
   vec3 reflected =
       shading::evaluate_brdf(s, alpha, vertex.wo, light->wi, vertex.specular_scale, transport_.model) * light->light;
-  if (reflected == vec3(0.0f) || !unblocked(path, vertex, *light)) return;
+  if (reflected == vec3(0.0f)) return;
+  reflected *= arriving(path, vertex, *light);
+  if (reflected == vec3(0.0f)) return;
   if (!delta && (transport_.shadows || !light->emitter))
     reflected *= balance(light->pdf_sr,
                          pdf_sr_brdf(s, vertex.alpha, vertex.wo, light->wi, vertex.specular_scale, transport_.model));
   path.add(reflected, path.reflections + 1, transport_.clamp);
 }
 
-bool PathTracer::unblocked(const Path& path, const Vertex& vertex, const LightSample& light) const {
-  if (!transport_.shadows || !light.shadowed) return true;
-  if (glm::dot(light.wi, vertex.outside) <= 0.0f) return false;
+// What multiplies light on its way from the lamp.
+vec3 PathTracer::arriving(const Path& path, const Vertex& vertex, const LightSample& light) const {
+  if (!transport_.shadows || !light.shadowed) return vec3(1.0f);
+  if (glm::dot(light.wi, vertex.outside) <= 0.0f) return vec3(0.0f);
   Ray ray;
   ray.origin = vertex.start();
   ray.direction = light.wi;
@@ -226,7 +233,7 @@ bool PathTracer::unblocked(const Path& path, const Vertex& vertex, const LightSa
   ray.cone_width_m = vertex.cone_width_m;
   ray.cone_spread = path.ray.cone_spread;
   ray.chance = shading::hash_u32(path.chance + 1u);
-  return !world_.geometry.occluded(ray);
+  return world_.geometry.transmitted(ray);
 }
 
 bool PathTracer::reflect(Path& path, const Vertex& vertex, const Draws& draws) const {
@@ -244,10 +251,10 @@ bool PathTracer::reflect(Path& path, const Vertex& vertex, const Draws& draws) c
               .cone_spread = std::max(path.ray.cone_spread, kConeShare / std::sqrt(next->pdf_sr))};
   if (!transport_.shadows) {
     add_environment(path);
-    add_spheres(path, std::numeric_limits<float>::infinity());
+    add_spheres(path, {}, std::numeric_limits<float>::infinity());
   }
   if (glm::dot(next->wi, vertex.outside) <= 0.0f) {
-    if (transport_.shadows) add_spheres(path, 0.0f);  // those that nothing hides
+    if (transport_.shadows) add_spheres(path, {}, 0.0f);  // those that nothing hides
     return false;
   }
   if (path.reflections <= kSafeReflections) return true;

@@ -66,11 +66,11 @@ class PathTracer {
   [[nodiscard]] Vertex vertex_at(const Path& path, const Hit& hit) const;
   void add_background(Path& path) const;
   void add_environment(Path& path) const;
-  void add_spheres(Path& path, float distance) const;
+  void add_spheres(Path& path, const Veils& veils, float distance) const;
   void add_emission(Path& path, const Hit& hit, const Vertex& vertex) const;
   void add_light(Path& path, const Vertex& vertex, const Draws& draws) const;
   [[nodiscard]] bool reflect(Path& path, const Vertex& vertex, const Draws& draws) const;
-  [[nodiscard]] bool unblocked(const Path& path, const Vertex& vertex, const LightSample& light) const;
+  [[nodiscard]] glm::vec3 arriving(const Path& path, const Vertex& vertex, const LightSample& light) const;
   [[nodiscard]] bool anything_to_find(const Path& path) const;
 
   World world_;

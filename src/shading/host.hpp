@@ -81,5 +81,6 @@ using glm::sqrt;
 #include "shading/surface.glsl"
 #include "shading/tile_culling.glsl"
 #include "shading/tonemap.glsl"
+#include "shading/translucency.glsl"
 
 }  // namespace velarium::shading

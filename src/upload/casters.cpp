@@ -20,6 +20,10 @@ constexpr std::uint32_t kCutoutFragment[] =
 #include "shaders/caster_cutout.frag.inc"
     ;
 
+constexpr std::uint32_t kTranslucentFragment[] =
+#include "shaders/caster_translucent.frag.inc"
+    ;
+
 constexpr std::uint32_t kFrameSet = 0, kMaterialSet = 2;
 
 CasterKind kind_of(scene::AlphaMode mode) {
@@ -55,8 +59,15 @@ gpu::RasterState raster_state(const CasterView& view, const scene::Primitive& pr
 const gpu::Pipeline& pipeline_of(gpu::Toolbox& tools, const CasterView& view, const scene::Primitive& primitive,
                                  const scene::Material& material, CasterKind kind) {
   const auto state = raster_state(view, primitive, material, kind);
-  if (kind == CasterKind::opaque) return tools.pipelines.raster(kVertex, {}, state);
-  return tools.pipelines.raster(kTexturedVertex, kCutoutFragment, state);
+  switch (kind) {
+    case CasterKind::opaque:
+      return tools.pipelines.raster(kVertex, {}, state);
+    case CasterKind::cutout:
+      return tools.pipelines.raster(kTexturedVertex, kCutoutFragment, state);
+    case CasterKind::translucent:
+      break;
+  }
+  return tools.pipelines.raster(kTexturedVertex, kTranslucentFragment, state);
 }
 
 // Binds descriptor sets to one command buffer.

@@ -39,7 +39,9 @@ struct CasterView {
   gpu::RasterState state;                        // formats, bias, blending: all but topology, vertices and constants
 };
 
-// Draws opaque casters and cutouts into depth, between begin_rendering() and end_rendering().
+// Draws casters of one kind, between begin_rendering() and end_rendering(): opaque ones and cutouts into depth alone,
+// translucent ones into a colour target with Blend::veil, cleared to (1, 1, 1, 0): rgb becomes what passes them all, a the
+// depth of the one nearest to the light. Their state does not write depth, so that what opaque casters hide dyes nothing.
 void draw_casters(gpu::Toolbox& tools, VkCommandBuffer commands, const SceneTables& scene, std::span<const Draw> draws,
                   CasterKind kind, const CasterView& view);
 

@@ -33,7 +33,8 @@ shading::GpuLight lamp(const glm::vec3& position, float candela, float radius = 
   return {.position_range = glm::vec4(position, 0.0f),
           .direction = {0.0f, -1.0f, 0.0f, shading::kLightPoint},
           .color = glm::vec4(glm::vec3(candela), radius),
-          .cone = {}};
+          .cone = {},
+          .flags = shading::kLightCastsShadow};
 }
 
 // A closed cavity that emits e and reflects a shows e (1 + a + a^2 + ...), wherever one looks. Of flat walls: where
@@ -183,6 +184,21 @@ TEST(TracerKnownAnswers, ShadowsOfBlendedSurfacesAreAsDeepAsTheirAlpha) {
   sheet.alpha_mode = scene::AlphaMode::blend;
   const double open = 0.6 * 3.0 * 4.0 * corner_form_factor(1.0, 1.0, 2.0);
   expect_radiance(shaded_ceiling(sheet).run(), 0.75 * open, 0.005);
+}
+
+// Green passes a red sheet of alpha 1/2 by 1/2 (1/2 + 1/2 0.04 / 1.04), whether the panel is aimed at or found.
+TEST(TracerKnownAnswers, ColouredBlendedSurfacesDyeTheLightThatPasses) {
+  scene::Material sheet = matt(0.0f);
+  sheet.base_color = {1.0f, 0.0f, 0.0f, 0.5f};
+  sheet.alpha_mode = scene::AlphaMode::blend;
+  sheet.double_sided = true;
+  const double passed = 0.259615;
+  Tracing t = shaded_ceiling(sheet);
+  expect_radiance(t.run(), passed * 0.6 * 3.0 * 4.0 * corner_form_factor(1.0, 1.0, 2.0), 0.005);
+  // A small bulb between the sheet and the panel.
+  t.scene.materials[1].emissive = glm::vec3(0.0f);
+  t.lamps = {lamp({0.0f, 1.9f - 1.5f, 0.0f}, 30.0f, 0.1f)};
+  expect_radiance(t.run(), passed * 0.6 / kPi * 30.0 / (1.9 * 1.9), 0.01);
 }
 
 TEST(TracerKnownAnswers, MaskedSurfacesStopAllLightOrNone) {
