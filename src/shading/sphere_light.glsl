@@ -22,6 +22,9 @@ const float kMinVDotH = 1e-3f;
 // There
 //   (n.h)^2 = (a.x + a.y cos + a.z sin)^2 / (2 (b.x + b.y cos + b.z sin)),   a: n.(v + l), b: 1 + v.l.
 
+// As good as infinitely far, which is opposite on the rim; its square is finite.
+const float kFarthestStep = 1e4f;
+
 // `around`: cosine and sine of phi.
 FN float rim_n_dot_h2(vec3 a, vec3 b, vec2 around) {
   float n = max(a.x + a.y * around.x + a.z * around.y, 0.0f);
@@ -38,20 +41,30 @@ FN vec2 rim_newton_step(vec3 a, vec3 b) {
   float bend = 2.0f * (a.z * q - b.z * p);
   float curvature = 2.0f * bend * bend - 4.0f * p * q * (2.0f * a.y * q - b.y * p);  // (g'' + g'^2) (PQ)^2
   if (curvature >= 0.0f) return vec2(1.0f, 0.0f);
-  float x = -slope * p * q / curvature;
+  float x = clamp(-slope * p * q / curvature, -kFarthestStep, kFarthestStep);
   float k = 1.0f / (1.0f + x * x);
   return vec2((1.0f - x * x) * k, 2.0f * x * k);
 }
 
-// The unit direction within the sphere whose half vector with wo is nearest to n, as nearly as one step finds it.
+struct SphereHighlight {
+  vec3 direction;  // unit, within the sphere
+  float depth;     // how far inside the sphere the mirror direction lies: 0 at the rim and outside, 1 at the centre
+};
+
+// The direction to the sphere whose half vector with wo is nearest to n, as nearly as one step finds it.
 // n, wo, wi: unit, wi to the centre. sine: 0 gives wi.
-FN vec3 sphere_highlight_direction(vec3 n, vec3 wo, vec3 wi, float sine) {
+FN SphereHighlight sphere_highlight(vec3 n, vec3 wo, vec3 wi, float sine) {
   require(sine >= 0.0f && sine < 1.0f);
+  SphereHighlight result;
   vec3 mirrored = 2.0f * dot(n, wo) * n - wo;
   float along = dot(mirrored, wi);
   vec3 off = mirrored - along * wi;
   float off2 = dot(off, off);
-  if (along > 0.0f && off2 <= sine * sine) return mirrored;
+  if (along > 0.0f && off2 < sine * sine) {
+    result.direction = mirrored;
+    result.depth = 1.0f - sqrt(off2) / sine;
+    return result;
+  }
 
   float cosine = sqrt(1.0f - sine * sine);
   vec3 t = off * inversesqrt(max(off2, 1e-12f));
@@ -61,30 +74,48 @@ FN vec3 sphere_highlight_direction(vec3 n, vec3 wo, vec3 wi, float sine) {
   vec2 nearest = vec2(1.0f, 0.0f);  // the rim's point next to the mirror direction [Karis 2013]
   vec2 around = rim_newton_step(a, b);
   if (rim_n_dot_h2(a, b, around) < rim_n_dot_h2(a, b, nearest)) around = nearest;
-  return cosine * wi + sine * (around.x * t + around.y * bitangent);
+  result.direction = cosine * wi + sine * (around.x * t + around.y * bitangent);
+  result.depth = 0.0f;
+  return result;
 }
 
-// --- how wide and how bright --------------------------------------------------------------------------------------
+// --- how bright -----------------------------------------------------------------------------------------------------
+//
+// In the plane of half vectors, in units of alpha, the sphere is an ellipse of semi-axes a = s / (2 alpha) and
+// a / v.h, which the GGX lobe 1 / (1 + t^2)^2 is averaged over. A lobe bent to the ellipse's nearest point says how
+// far the ellipse is; how bright it is, a disc of the same area at the same distance says.
 
-// In the plane of half vectors the sphere is an ellipse of semi-axes s / 2 and s / (2 v.h), which a microfacet lobe of
-// width alpha is averaged over.
-
-// The lobe bent by the whole sphere is flat where its mean over the sphere is round: a smaller sphere comes nearer. The
-// best share of its radius was fitted for w = s / (2 alpha) from 0.05 to 8 and v.h = 1, where w / (w + 0.75) is within
-// 0.02 of it: the bent lobe is then 0.05 (w = 0.5) to 0.15 (w = 2) off the mean, relative, instead of 0.22 to 0.33.
-// For other v.h the mean radius of the ellipse, s / (2 sqrt(v.h)), counts.
-FN float sphere_highlight_sine(float sine, float alpha, float v_dot_h) {
-  require(alpha > 0.0f && v_dot_h > 0.0f);
-  return sine * sine / (sine + 1.5f * alpha * sqrt(v_dot_h));
+// The mean of 1 / (1 + t^2)^2 over a disc of radius `radius` whose edge passes the origin at `edge`, negative where it
+// holds the origin. Exact: over the plane this lobe is pi times the density of the unit sphere's area under
+// stereographic projection, which takes discs to caps.
+FN float ggx_disc_mean(float edge, float radius) {
+  require(edge >= -radius && radius >= 0.0f);
+  float far_edge = edge + 2.0f * radius;
+  float root = sqrt((1.0f + edge * edge) * (1.0f + far_edge * far_edge));
+  float middle = 1.0f + edge * far_edge;
+  // Two forms of the same, each without a difference of nearly equal numbers.
+  if (middle > 0.0f) return 2.0f / (root * (root + middle));
+  return 0.5f * (1.0f - middle / root) / (radius * radius);
 }
 
-// By how much bending the lobe over that ellipse raises its energy: Steiner's formula, with the ellipse's area and
-// perimeter (nearly pi times the sum of its semi-axes), the integral of the GGX distribution along a line, 1 / (4
-// alpha), and its peak, 1 / (pi alpha^2).
-FN float sphere_highlight_energy(float sine, float alpha, float v_dot_h) {
+// Energy of the lobe bent by a convex shape in that plane, over that of the lobe: Steiner's formula with the integral
+// of the lobe along a line from its peak, 1/4, and its peak, 1/pi.
+FN float bent_lobe_energy(float perimeter, float area) {
+  return 1.0f + 0.25f * perimeter + kInvPi * area;
+}
+
+// What the bent lobe is multiplied by. slope: tangent between the normal and the bent half vector.
+FN float sphere_highlight_scale(IN(SphereHighlight) highlight, float slope, float sine, float alpha, float v_dot_h) {
   require(alpha > 0.0f && v_dot_h > 0.0f);
-  float ratio = sine / alpha;
-  return 1.0f + 0.125f * kPi * ratio * (1.0f + 1.0f / v_dot_h) + 0.25f * ratio * ratio / v_dot_h;
+  float short_axis = 0.5f * sine / alpha;
+  float radius = short_axis * inversesqrt(v_dot_h);
+  float edge = slope / alpha;
+  float peak = 1.0f + edge * edge;
+  float mean = ggx_disc_mean(highlight.depth > 0.0f ? -radius * highlight.depth : edge, radius) * peak * peak;
+  // The ellipse's perimeter, nearly pi times the sum of its semi-axes, collects more light than the disc's.
+  float area = kPi * radius * radius;
+  float ellipse = bent_lobe_energy(kPi * short_axis * (1.0f + 1.0f / v_dot_h), area);
+  return mean * bent_lobe_energy(kTwoPi * radius, area) / ellipse;
 }
 
 // --- what the horizon leaves --------------------------------------------------------------------------------------
@@ -117,11 +148,13 @@ FN vec3 evaluate_brdf_sphere(IN(Surface) s, float alpha, vec3 wo, vec3 wi, float
                              uint model) {
   float seen_sine = min(sine, kMaxSphereSine);
   float n_dot_l = sphere_horizon_cosine(dot(s.normal_ws, wi), seen_sine);
+  SphereHighlight highlight = sphere_highlight(s.normal_ws, wo, wi, seen_sine);
+  vec3 n_cross_h = cross(s.normal_ws, half_vector(wo, highlight.direction));
+  float sin2 = min(dot(n_cross_h, n_cross_h), 1.0f);
+  float slope = sqrt(sin2 / max(1.0f - sin2, 1e-6f));
   float v_dot_h = max(dot(wo, half_vector(wo, wi)), kMinVDotH);
-  float highlight_sine = sphere_highlight_sine(seen_sine, alpha, v_dot_h);
-  vec3 bent = sphere_highlight_direction(s.normal_ws, wo, wi, highlight_sine);
-  vec3 scale = specular_scale / sphere_highlight_energy(highlight_sine, alpha, v_dot_h);
-  return evaluate_brdf_bent(s, alpha, wo, wi, n_dot_l, bent, scale, model);
+  vec3 scale = specular_scale * sphere_highlight_scale(highlight, slope, seen_sine, alpha, v_dot_h);
+  return evaluate_brdf_bent(s, alpha, wo, wi, n_dot_l, highlight.direction, scale, model);
 }
 
 #endif

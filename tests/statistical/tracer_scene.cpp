@@ -49,6 +49,7 @@ Traced Tracing::run() const {
                                   .moment = moment,
                                   .camera = camera,
                                   .lamps = lamps,
+                                  .projectors = projectors,
                                   .environment = environment ? &*environment : nullptr,
                                   .energy = table,
                                   .energy_size = kEnergySize,

@@ -29,6 +29,7 @@ struct Tracing {
   scene::Scene scene;
   scene::CameraInstance camera;
   std::vector<shading::GpuLight> lamps = {};  // relative to the camera
+  std::vector<scene::Image> projectors = {};  // GpuLight::projector_layer counts them from 1
   std::optional<image::FloatImage> environment = {};
   Settings settings = {};
   std::uint32_t size = 8;  // pixels a side

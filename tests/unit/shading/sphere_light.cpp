@@ -62,7 +62,7 @@ struct Rim {
 };
 
 double found_n_dot_h2(const Pair& p, float sine) {
-  return n_dot_h2(p.wo, sphere_highlight_direction(kNormal, p.wo, p.wi, sine));
+  return n_dot_h2(p.wo, sphere_highlight(kNormal, p.wo, p.wi, sine).direction);
 }
 
 bool mirrors_into(const Pair& p, double sine) {
@@ -92,7 +92,8 @@ TEST(SphereHighlight, IsTheMirrorDirectionWhereThatMeetsTheSphere) {
   const Pair p = directions(0.8, 0.8, 0.28);
   const vec3 inside = normalize(p.wi + vec3(0.05f, -0.05f, 0.0f));
   const vec3 mirrored{-p.wo.x, -p.wo.y, p.wo.z};
-  EXPECT_EQ(sphere_highlight_direction(kNormal, p.wo, inside, 0.99f), mirrored);
+  EXPECT_EQ(sphere_highlight(kNormal, p.wo, inside, 0.99f).direction, mirrored);
+  EXPECT_NEAR(sphere_highlight(kNormal, p.wo, mirrored, 0.5f).depth, 1.0f, 1e-3);
   EXPECT_NEAR(found_n_dot_h2({p.wo, inside}, 0.99f), 1.0, 1e-6);
 }
 
@@ -100,7 +101,7 @@ TEST(SphereHighlight, IsTheLightItselfWhereItHasNoSize) {
   Random random(31);
   for (int i = 0; i < 1000; ++i) {
     const vec3 wo = random.hemisphere_direction(), wi = random.direction();
-    ASSERT_LT(length(sphere_highlight_direction(kNormal, wo, wi, 0.0f) - wi), 1e-6f);
+    ASSERT_LT(length(sphere_highlight(kNormal, wo, wi, 0.0f).direction - wi), 1e-6f);
   }
 }
 
@@ -110,7 +111,7 @@ TEST(SphereHighlight, StaysWithinTheSphere) {
     const vec3 wo = i % 3 == 0 ? random.direction() : random.hemisphere_direction();
     const vec3 wi = i % 7 == 0 ? -wo : random.direction();
     const float sine = i % 5 == 0 ? 0.00465f : random.uniform(0.0f, 0.99f);
-    const vec3 d = sphere_highlight_direction(kNormal, wo, wi, sine);
+    const vec3 d = sphere_highlight(kNormal, wo, wi, sine).direction;
     ASSERT_NEAR(length(d), 1.0f, 1e-5);
     ASSERT_GE(dot(d, wi), std::sqrt(1.0f - sine * sine) - 1e-5f);
   }
@@ -206,25 +207,53 @@ TEST(SphereHighlight, BeatsTheMirrorPointByTheTable) {
   }
 }
 
-TEST(SphereHighlight, EnergyIsTheTabledOne) {
-  const float alpha = 0.1f;
-  const auto at = [&](float w) { return sphere_highlight_energy(2.0f * w * alpha, alpha, 1.0f); };
-  EXPECT_NEAR(at(0.5f), 2.03540f, 1e-5);
-  EXPECT_NEAR(at(1.0f), 3.57080f, 1e-5);
-  EXPECT_NEAR(at(1e-6f), 1.0f, 1e-5);
+double disc_energy(double radius) {
+  return static_cast<double>(
+      bent_lobe_energy(static_cast<float>(2.0 * kPiExact * radius), static_cast<float>(kPiExact * radius * radius)));
 }
 
-// The lobe over a plane of half vectors, bent by a disc of radius w alpha.
-TEST(SphereHighlight, EnergyIsTheIntegralOfTheBentLobe) {
-  for (const double w : {0.1, 0.5, 1.0, 3.0}) {
+// The lobe over the plane of half vectors, bent by a disc.
+TEST(SphereHighlight, EnergyOfABentLobeIsTheTabledOne) {
+  EXPECT_NEAR(disc_energy(0.5), 2.03540, 1e-5);
+  EXPECT_NEAR(disc_energy(1.0), 3.57080, 1e-5);
+  for (const double radius : {0.1, 0.5, 1.0, 3.0}) {
     constexpr int kSteps = 400000;
     constexpr double kEnd = 400.0;
     double sum = 0.0;
     for (int i = 0; i < kSteps; ++i) {
-      const double t = (i + 0.5) * kEnd / kSteps, bent = std::max(t - w, 0.0);
+      const double t = (i + 0.5) * kEnd / kSteps, bent = std::max(t - radius, 0.0);
       sum += 2.0 * t / std::pow(1.0 + bent * bent, 2) * kEnd / kSteps;
     }
-    EXPECT_NEAR(sphere_highlight_energy(static_cast<float>(2.0 * w), 1.0f, 1.0f), sum, 2e-4 * sum);
+    EXPECT_NEAR(disc_energy(radius), sum, 2e-4 * sum);
+  }
+}
+
+// The mean of the lobe over a disc `distance` away, by summing over rings and sectors.
+double disc_mean(double distance, double radius) {
+  constexpr int kRings = 400, kSectors = 400;
+  double sum = 0.0;
+  for (int i = 0; i < kRings; ++i) {
+    const double r = radius * std::sqrt((i + 0.5) / kRings);
+    for (int j = 0; j < kSectors; ++j) {
+      const double phi = kPiExact * (j + 0.5) / kSectors;
+      const double t2 = distance * distance + r * r - 2.0 * distance * r * std::cos(phi);
+      sum += 1.0 / ((1.0 + t2) * (1.0 + t2));
+    }
+  }
+  return sum / (kRings * kSectors);
+}
+
+TEST(SphereHighlight, MeanOverADiscIsExact) {
+  for (const double radius : {0.01, 0.5, 1.0, 2.0, 8.0}) {
+    EXPECT_NEAR(ggx_disc_mean(static_cast<float>(-radius), static_cast<float>(radius)), 1.0 / (1.0 + radius * radius),
+                2e-6);  // a disc about the peak
+    for (const double distance : {0.3, 1.0, 2.5, 7.0, 20.0}) {
+      const double mean = disc_mean(distance, radius);
+      const auto edge = static_cast<float>(distance - radius);
+      EXPECT_NEAR(ggx_disc_mean(std::max(edge, static_cast<float>(-radius)), static_cast<float>(radius)), mean,
+                  2e-3 * mean)
+          << distance << " " << radius;
+    }
   }
 }
 
@@ -269,7 +298,8 @@ struct Highlight {
 // Of lights under an angle of 2 w alpha, spread about the mirror direction of wo.
 Highlight highlight(double w, float alpha, double n_dot_v) {
   const vec3 wo(glm::dvec3(std::sqrt(1.0 - n_dot_v * n_dot_v), 0.0, n_dot_v));
-  const double sine = 2.0 * w * static_cast<double>(alpha), reach = sine + 8.0 * static_cast<double>(alpha);
+  const double sine = 2.0 * w * static_cast<double>(alpha),
+               reach = std::min(sine + 8.0 * static_cast<double>(alpha), 0.95);
   constexpr int kLights = 300, kSamples = 1024;
   double error = 0.0, square = 0.0, found_sum = 0.0, truth_sum = 0.0;
   for (int i = 0; i < kLights; ++i) {
@@ -287,19 +317,19 @@ Highlight highlight(double w, float alpha, double n_dot_v) {
   return {std::sqrt(error / square), found_sum / truth_sum};
 }
 
-TEST(SphereBrdf, ComesAsNearToTheIntegralAsTheTableSays) {
-  EXPECT_NEAR(highlight(0.5, 0.02f, 1.0).error, 0.050, 0.005);
-  EXPECT_NEAR(highlight(1.0, 0.02f, 1.0).error, 0.114, 0.005);
-  EXPECT_NEAR(highlight(2.0, 0.02f, 1.0).error, 0.152, 0.005);
+// Lobes bent to a reduced radius and normalised, as Decima's, leave 0.05, 0.11 and 0.15 where the view is head-on.
+TEST(SphereBrdf, IsTheIntegralWhereTheViewIsHeadOn) {
+  for (const double w : {0.5, 1.0, 2.0}) EXPECT_LT(highlight(w, 0.005f, 1.0).error, 0.005) << w;
+  for (const double w : {0.5, 1.0, 2.0}) EXPECT_LT(highlight(w, 0.1f, 1.0).error, 0.05) << w;
 }
 
-// A disc instead of the ellipse has 1.9 times the energy at n.v = 0.3 and 4.6 times at 0.15, for w = 1 and 2.
+// A disc instead of the ellipse has up to 1.2 times the energy, and Decima's lobe normalised by a disc 4.6 times.
 TEST(SphereBrdf, KeepsItsEnergyAtObliqueViews) {
   for (const double n_dot_v : {1.0, 0.7, 0.5, 0.3, 0.15}) {
     for (const double w : {0.5, 1.0, 2.0}) {
       const Highlight h = highlight(w, 0.02f, n_dot_v);
-      EXPECT_NEAR(h.energy, 1.0, 0.08) << n_dot_v << " " << w;
-      EXPECT_LT(h.error, 0.3) << n_dot_v << " " << w;
+      EXPECT_NEAR(h.energy, 1.0, 0.025) << n_dot_v << " " << w;
+      EXPECT_LT(h.error, n_dot_v < 0.5 ? 0.23 : 0.12) << n_dot_v << " " << w;
     }
   }
 }
