@@ -28,10 +28,11 @@ FN uint contact_steps(float pixels, uint most) {
 }
 
 // The change of device depth from one pixel to the next, from the differences to both neighbours: the smaller one, as
-// the other may reach across an edge. Device depth of a plane is linear in the picture.
+// the other may reach across an edge. Device depth of a plane is linear in the picture. 0: nothing was drawn there.
 FN float depth_slope(float before, float at, float after) {
   float left = at - before, right = after - at;
-  return abs(left) < abs(right) ? left : right;
+  if (before == 0.0f) return after == 0.0f ? 0.0f : right;
+  return after == 0.0f || abs(left) < abs(right) ? left : right;
 }
 
 // Is a ray at depth `ray` behind a surface at depth `surface`, yet not behind what that surface belongs to?

@@ -20,8 +20,10 @@ struct ContactReceiver {
   float jitter;       // in [0, 1)
 };
 
+// Device depth, or 0 outside the picture, as where nothing was drawn.
 float contact_depth(ivec2 pixel) {
-  return texelFetch(depth_map, clamp(pixel, ivec2(0), ivec2(frame.size.xy) - 1), 0).r;
+  bool outside = any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, ivec2(frame.size.xy)));
+  return outside ? 0.0 : texelFetch(depth_map, pixel, 0).r;
 }
 
 ContactReceiver contact_receiver_at(ivec2 pixel, float view_depth, vec3 position_ws, vec3 normal_ws) {

@@ -20,8 +20,12 @@ TEST(ContactShadow, RaysTakeOneStepAPixelAtMost) {
 
 TEST(ContactShadow, SlopesDoNotReachAcrossEdges) {
   EXPECT_EQ(depth_slope(0.25f, 0.5f, 0.75f), 0.25f);
-  EXPECT_EQ(depth_slope(0.25f, 0.5f, 0.0f), 0.25f);
-  EXPECT_EQ(depth_slope(0.0f, 0.5f, 0.375f), -0.125f);
+  EXPECT_EQ(depth_slope(0.25f, 0.5f, 0.125f), 0.25f);
+  EXPECT_EQ(depth_slope(0.125f, 0.5f, 0.375f), -0.125f);
+  // The far end of a floor before the sky: the step to nothing may be the smaller one.
+  EXPECT_EQ(depth_slope(0.0f, 0.01f, 0.03f), 0.02f);
+  EXPECT_EQ(depth_slope(0.03f, 0.01f, 0.0f), -0.02f);
+  EXPECT_EQ(depth_slope(0.0f, 0.5f, 0.0f), 0.0f);
 }
 
 // Device depth of a plane, of either projection: the slope at a pixel is that to its neighbours.
