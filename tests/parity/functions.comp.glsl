@@ -2,6 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "shading/brdf.glsl"
+#include "shading/clip_volume.glsl"
+#include "shading/contact_shadow.glsl"
 #include "shading/display.glsl"
 #include "shading/environment.glsl"
 #include "shading/gbuffer.glsl"

@@ -136,11 +136,17 @@ void GltfWriter::add_light(const TestLight& l) {
   Json light{{"type", l.type}, {"intensity", l.intensity}, {"color", json(l.color)}};
   if (l.range > 0.0f) light["range"] = l.range;
   if (l.type == "spot") light["spot"] = {{"innerConeAngle", l.inner_cone}, {"outerConeAngle", l.outer_cone}};
+  if (!l.extras.is_null()) light["extras"] = l.extras;
   Json& lights = root_["extensions"]["KHR_lights_punctual"]["lights"];
   lights.push_back(std::move(light));
   add_child({{"translation", json(l.position)},
              {"rotation", turned_to(l.direction)},
              {"extensions", {{"KHR_lights_punctual", {{"light", lights.size() - 1}}}}}});
+}
+
+void GltfWriter::add_clip_box(const std::string& name, const glm::vec3& center, const glm::vec3& half_size) {
+  add_child({{"translation", json(center)},
+             {"extras", {{"clip_volume", {{"name", name}, {"half_size", json(half_size)}}}}}});
 }
 
 void GltfWriter::add_orthographic_camera(const glm::vec3& eye, const glm::vec3& target, float half_height,

@@ -31,6 +31,7 @@ struct TestLight {
   float range = 0.0f;  // metres; 0: none
   float inner_cone = 0.0f, outer_cone = 0.7853982f;
   glm::vec3 position{0.0f}, direction{0.0f, 0.0f, -1.0f};  // direction: need not be unit
+  nlohmann::json extras = nullptr;                         // null: none
 };
 
 // Lists of primitives in world space; everything hangs below one node, so that the whole can be moved.
@@ -44,6 +45,8 @@ class GltfWriter {
   // Six of them around `center`.
   void add_box(int material, const glm::vec3& center, const glm::vec3& size);
   void add_light(const TestLight& light);
+  // A box that lights may end at, by its name in their extras.
+  void add_clip_box(const std::string& name, const glm::vec3& center, const glm::vec3& half_size);
   // Looks from `eye` to `target`; half of the height it sees, and the depths, in metres.
   void add_orthographic_camera(const glm::vec3& eye, const glm::vec3& target, float half_height, float far_depth);
 

@@ -33,6 +33,7 @@ Model lit_by(const std::string& kind, const Json& extras) {
   model.root["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({light});
   model.root["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
   model.root["images"] = Json::array({{{"uri", kPicture}}});
+  model.root["nodes"].push_back({{"extras", {{"clip_volume", {{"name", "hall"}, {"half_size", {1, 1, 1}}}}}}});
   return model;
 }
 
