@@ -4,7 +4,7 @@
 // Transparent surfaces, shaded where they are drawn, by the same maths and the same light lists as the opaque ones.
 
 #include "upload/material.glsl"
-#include "upload/frame_lighting.glsl"
+#include "upload/light_lists.glsl"
 
 layout(constant_id = 20) const uint kLights = 1u;   // 0: the scene has none
 

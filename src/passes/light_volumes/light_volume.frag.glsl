@@ -15,11 +15,6 @@ layout(location = 0) flat in uint in_light;
 
 layout(location = 0) out vec4 out_light;
 
-// Lights come one by one: there are no lists.
-uint tile_light_word(uint word) {
-  return 0u;
-}
-
 vec3 light_of_kind(ShadingPoint p) {
   if (kKind == 0u) return light_directional(p, in_light);
   return kKind == 1u ? light_point(p, in_light) : light_spot(p, in_light);

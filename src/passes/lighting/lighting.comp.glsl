@@ -19,6 +19,7 @@ layout(set = 0, binding = 9, std430) writeonly buffer TileBuffer { uint forward_
 layout(set = 0, binding = 10) uniform sampler2D lamp_map;        // what light_volumes has found
 
 #include "upload/gbuffer_point.glsl"
+#include "upload/light_lists.glsl"
 
 layout(constant_id = 20) const uint kTiled = 1u;          // 0: every light at every pixel
 layout(constant_id = 21) const uint kForwardLists = 0u;   // 1: write the lists that transparent surfaces need
