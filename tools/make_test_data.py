@@ -3,6 +3,7 @@
 
 import math
 import pathlib
+import random
 import struct
 import sys
 
@@ -469,6 +470,34 @@ def normal_map():
     return g
 
 
+def bumpy_metal():
+    """A metal floor under a sun before the camera. Its bumps, a normal map alone, are soon smaller than pixels."""
+    g = Gltf()
+    size, waves = 64, []
+    numbers = random.Random(3)
+    while len(waves) < 24:  # of whole periods a tile, each as steep as the others: a deviation of 0.1 along each axis
+        u, v = (math.floor(25 * numbers.random()) - 12 for _ in range(2))
+        if math.hypot(u, v) >= 3:
+            steepness = 0.1 * math.sqrt(4 / 24)
+            waves.append((u, v, steepness / math.hypot(u, v), 2 * math.pi * numbers.random()))
+
+    def pixel(x, y):
+        du = dv = 0.0
+        for u, v, height, phase in waves:
+            slope = height * math.cos(2 * math.pi * (u * x + v * y) / size + phase)
+            du, dv = du + u * slope, dv + v * slope
+        return tuple(round(127.5 + 127.5 * c) for c in unit([-du, dv, 1])) + (255,)
+
+    texture = g.texture(g.image(png(size, size, pixel)), magFilter=LINEAR, minFilter=LINEAR_MIPS)
+    metal = g.material([0.9, 0.88, 0.85, 1], metallic=1.0, roughness=0.4, normalTexture={"index": texture})
+    floor = ground(120)
+    floor["uv"] = [[240 * c for c in uv] for uv in floor["uv"]]
+    g.node(mesh=g.mesh(g.primitive(**floor, material=metal)))
+    g.light([0, 5, 0], turn([1, 0, 0], 215), name="sun", type="directional", intensity=0.5)
+    g.camera([0, 7, 7], [0, 0, -3])
+    return g
+
+
 def orthographic():
     """A stair of cubes in isometric view: edges of equal length are equally long in the picture."""
     g = Gltf()
@@ -731,6 +760,7 @@ SCENES = [
     specular_and_ior,
     quantized,
     normal_map,
+    bumpy_metal,
     orthographic,
     vase,
     vase_draco,

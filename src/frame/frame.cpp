@@ -7,12 +7,14 @@
 #include "passes/gbuffer/gbuffer.hpp"
 #include "passes/light_volumes/light_volumes.hpp"
 #include "passes/lighting/lighting.hpp"
+#include "passes/normal_variance/normal_variance.hpp"
 
 namespace velarium::frame {
 
 graph::GraphImage add_frame(graph::Graph& g, const FrameInputs& in) {
   const auto drawn = gbuffer::add(g, {in.scene, in.normal_lengths, in.width, in.height});
-  const passes::GBuffer surface{drawn.rt0, drawn.rt1, drawn.rt2, drawn.depth};
+  const auto rt2 = normal_variance::add(g, {in.scene, drawn.rt0, drawn.rt2, drawn.depth}, in.settings.specular_aa);
+  const passes::GBuffer surface{drawn.rt0, drawn.rt1, rt2, drawn.depth};
   const passes::ShadingInputs shading{.scene = in.scene, .environment = in.environment, .settings = in.settings};
   graph::GraphImage lamps;
   if (in.settings.lighting.path == LightingPath::volumes) lamps = light_volumes::add(g, {shading, surface});

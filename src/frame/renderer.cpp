@@ -59,6 +59,7 @@ upload::FrameUniforms picture_uniforms(const Job& job, const upload::LightRanges
   u.first_spot = lights.first_spot;
   u.light_count = lights.count;
   u.sun_light = lights.sun;
+  u.normal_variance = settings.specular_aa.baked ? 1.0f : 0.0f;
   u.seed = static_cast<std::uint32_t>(settings.frame.seed);
   return u;
 }

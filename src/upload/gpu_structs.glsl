@@ -25,7 +25,7 @@ struct FrameUniforms {
   uint seed;
   float perspective;      // 1: perspective, 0: orthographic
   uint sun_light;         // the directional light that casts shadows; kNoSun where none does
-  uint unused1;
+  float normal_variance;  // 1: that of normal maps' mips widens lobes, 0: it does not
 };
 CHECK_LAYOUT(FrameUniforms, ndc_to_view, 128);
 CHECK_LAYOUT(FrameUniforms, sh, 208);

@@ -2,6 +2,7 @@
 #ifndef VEL_UPLOAD_MATERIAL_GLSL
 #define VEL_UPLOAD_MATERIAL_GLSL
 
+#include "shading/normal_variance.glsl"
 #include "shading/surface.glsl"
 #include "upload/gpu_structs.glsl"
 
@@ -46,17 +47,28 @@ vec3 material_emissive(FragmentInput f) {
   return material.emissive.rgb * sample_slot(emissive_map, kSlotEmissive, f.uv).rgb;
 }
 
-// The shading normal: of the side that is seen (glTF 2.0, 3.9.6: back faces of double-sided materials turn it).
-vec3 material_normal(FragmentInput f) {
+// The shading normal, and how far the map's normals spread within the texels that were read.
+struct MaterialNormal {
+  vec3 normal_ws;
+  float spread2;   // what they add to alpha^2
+};
+
+// Of the side that is seen (glTF 2.0, 3.9.6: back faces of double-sided materials turn it).
+MaterialNormal material_normal(FragmentInput f) {
   vec3 n = normalize(f.normal_ws);
   float side = f.front_facing ? 1.0 : -1.0;
   bool mapped = (kSlots & (1u << kSlotNormal)) != 0u && dot(f.tangent_ws.xyz, f.tangent_ws.xyz) > 0.0;
-  if (!mapped) return n * side;
-  vec3 m = sample_slot(normal_map, kSlotNormal, f.uv).xyz * 2.0 - 1.0;
-  m.xy *= material.emissive.w;
+  if (!mapped) return MaterialNormal(n * side, 0.0);
+  vec4 texel = sample_slot(normal_map, kSlotNormal, f.uv);
+  float scale = material.emissive.w;
+  vec3 m = texel.xyz * 2.0 - 1.0;
+  m.xy *= scale;
   // As MikkTSpace asks: interpolated vectors are used as they are, and the sum alone is normalised.
   vec3 bitangent = f.tangent_ws.w * cross(f.normal_ws, f.tangent_ws.xyz);
-  return normalize(m.x * f.tangent_ws.xyz + m.y * bitangent + m.z * f.normal_ws) * side;
+  vec3 sum = m.x * f.tangent_ws.xyz + m.y * bitangent + m.z * f.normal_ws;
+  // Slopes grow with the scale, and so does their deviation.
+  float spread = texel.a * scale;
+  return MaterialNormal(normalize(sum) * side, spread * spread * frame.normal_variance);
 }
 
 Surface material_surface(FragmentInput f, vec3 base_color) {
@@ -66,8 +78,12 @@ Surface material_surface(FragmentInput f, vec3 base_color) {
   float occlusion = sample_slot(occlusion_map, kSlotOcclusion, f.uv).r;
   float specular_weight = sample_slot(specular_map, kSlotSpecular, f.uv).a;
   vec3 specular_tint = sample_slot(specular_color_map, kSlotSpecularColor, f.uv).rgb;
-  return surface_from_metal_rough(base_color, factors.x * metal_rough.b, factors.y * metal_rough.g, specular.w,
-                                  specular.rgb * specular_tint * specular_weight, material_normal(f),
+  MaterialNormal normal = material_normal(f);
+  float perceptual_roughness = factors.y * metal_rough.g;
+  if ((kSlots & (1u << kSlotNormal)) != 0u)
+    perceptual_roughness = sqrt(widened_alpha(perceptual_roughness * perceptual_roughness, normal.spread2));
+  return surface_from_metal_rough(base_color, factors.x * metal_rough.b, perceptual_roughness, specular.w,
+                                  specular.rgb * specular_tint * specular_weight, normal.normal_ws,
                                   1.0 + factors.z * (occlusion - 1.0));
 }
 

@@ -72,6 +72,7 @@ constexpr Golden kGoldens[] = {
     {.name = "specular_and_ior", .scene = "specular_and_ior.gltf"},
     {.name = "quantized", .scene = "quantized.gltf"},
     {.name = "normal_map", .scene = "normal_map.gltf"},
+    {.name = "bumpy_metal", .scene = "bumpy_metal.gltf"},
     {.name = "orthographic", .scene = "orthographic.gltf"},
     {.name = "embedded", .scene = "embedded.glb"},
     {.name = "vase", .scene = "vase.gltf"},
