@@ -11,6 +11,7 @@ enum class DiffuseEnvironment { map, sh };
 enum class ExposureMode { manual, ev100, automatic };
 enum class Tonemap { neutral, agx, aces, linear };
 enum class ExrType { half, full };
+enum class ShadowFaces { both, back };
 enum class Transport { direct, direct_env, one_bounce, full };
 
 // Everything that a picture depends on besides the scene, the view and the time: one struct a group,

@@ -95,7 +95,7 @@ RenderResult Engine::render(const Scene& scene, const RenderRequest& request) {
   api::set_lights(request, moment);
   const auto& gpu_scene = state_->upload(scene, moment);
   auto result = state_->renderer.render({gpu_scene, moment, api::camera_of(moment, request), environment, request});
-  result.report.notes = std::move(notes);
+  result.report.notes.insert(result.report.notes.begin(), notes.begin(), notes.end());
   return result;
 }
 

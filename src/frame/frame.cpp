@@ -15,7 +15,12 @@ graph::GraphImage add_frame(graph::Graph& g, const FrameInputs& in) {
   const auto drawn = gbuffer::add(g, {in.scene, in.normal_lengths, in.width, in.height});
   const auto rt2 = normal_variance::add(g, {in.scene, drawn.rt0, drawn.rt2, drawn.depth}, in.settings.specular_aa);
   const passes::GBuffer surface{drawn.rt0, drawn.rt1, rt2, drawn.depth};
-  const passes::ShadingInputs shading{.scene = in.scene, .environment = in.environment, .settings = in.settings};
+  const auto atlas = local_shadows::add(g, {in.scene, in.local_shadows, in.first}, in.settings.local_shadows);
+  const passes::ShadingInputs shading{.scene = in.scene,
+                                      .environment = in.environment,
+                                      .settings = in.settings,
+                                      .no_map = in.no_map,
+                                      .shadow_atlas = atlas};
   graph::GraphImage lamps;
   if (in.settings.lighting.path == LightingPath::volumes) lamps = light_volumes::add(g, {shading, surface});
   const auto lit = lighting::add(g, {shading, surface, drawn.hdr, lamps});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graph/graph.hpp"
+#include "passes/local_shadows/local_shadows.hpp"
 #include "passes/shading_inputs.hpp"
 
 #include <velarium/settings.hpp>
@@ -15,6 +16,8 @@ struct FrameInputs {
   const upload::SceneTables& scene;
   const passes::Environment& environment;
   const gpu::Image& normal_lengths;
+  const gpu::Image& no_map;  // of depth, where a map is missing
+  local_shadows::Maps& local_shadows;
   gpu::Image& sum;    // rgba32f: of the frames of this picture so far
   bool first = true;  // does this frame start the sum?
   std::uint32_t width = 0, height = 0;

@@ -10,6 +10,7 @@
 
 #include <velarium/error.hpp>
 
+#include <fmt/core.h>
 #include <glm/gtc/packing.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -38,6 +39,24 @@ gpu::Image make_brdf_table(gpu::Device& device, std::uint32_t model) {
     packed.push_back(glm::packHalf1x16(value.x) | std::uint32_t{glm::packHalf1x16(value.y)} << 16u);
   return make_image(device, {.format = VK_FORMAT_R16G16_SFLOAT, .width = kBrdfTableSize, .height = kBrdfTableSize},
                     std::as_bytes(std::span(packed)));
+}
+
+// Depth that nobody has written, in the layout of what is only read.
+gpu::Image make_no_map(gpu::Device& device) {
+  gpu::Image image(device, {.format = VK_FORMAT_D32_SFLOAT}, VK_IMAGE_USAGE_SAMPLED_BIT);
+  image.layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+  const VkCommandBuffer commands = device.begin();
+  gpu::record(commands, gpu::image_barrier(image, {}, upload::kSampledByShaders,
+                                           {VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}));
+  device.submit_and_wait(commands);
+  return image;
+}
+
+void note_lights_without_map(std::uint32_t lights, RenderReport& report) {
+  if (lights > 0)
+    report.notes.push_back(fmt::format("{} lights cast no shadow: local_shadows.atlas has no room for their maps, or "
+                                       "local_shadows.updates no time",
+                                       lights));
 }
 
 std::optional<std::array<float, 3>> background_color(const RenderRequest& request) {
@@ -73,6 +92,7 @@ Renderer::Renderer(gpu::Toolbox& tools) : tools_(tools), executor_(tools) {
   const std::array<std::byte, 6 * 4> zeros{};
   black_ = make_image(tools.device, {VK_FORMAT_R8G8B8A8_UNORM}, std::span(zeros).first(4));
   black_cube_ = make_image(tools.device, {.format = VK_FORMAT_R8G8B8A8_UNORM, .layers = 6, .cube = true}, zeros);
+  no_map_ = make_no_map(tools.device);
 }
 
 const gpu::Image& Renderer::brdf_table(ShadingModel model) {
@@ -94,6 +114,10 @@ RenderResult Renderer::render(const Job& job) {
   auto scene = upload::make_scene_tables(tools_.device, job.scene, job.moment, view);
   scene.texture_lod_bias = -std::min(0.5f * std::log2(static_cast<float>(request.settings.frame.spp)), kMaxSharpening);
 
+  const auto unshadowed = local_shadows::prepare(local_shadows_, tools_.device, scene,
+                                                 {view, {request.width, request.height}},
+                                                 request.settings.local_shadows);
+
   const gpu::ImageDesc sum_desc{VK_FORMAT_R32G32B32A32_SFLOAT, request.width, request.height};
   if (!sum_ || sum_.desc() != sum_desc)
     sum_ = gpu::Image(tools_.device, sum_desc,
@@ -108,11 +132,14 @@ RenderResult Renderer::render(const Job& job) {
   const FrameInputs inputs{.scene = scene,
                            .environment = environment,
                            .normal_lengths = normal_lengths_,
+                           .no_map = no_map_,
+                           .local_shadows = local_shadows_,
                            .sum = sum_,
                            .width = request.width,
                            .height = request.height,
                            .settings = request.settings};
   RenderResult result;
+  note_lights_without_map(unshadowed, result.report);
   run_frames(job, inputs, picture_uniforms(job, scene.light_ranges), view, result.report);
   for (const auto& name : request.dumps) result.dumps.push_back(dump_image(tools_.device, executor_, name));
   read_picture(job, result);

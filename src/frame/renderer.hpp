@@ -40,9 +40,10 @@ class Renderer {
 
   gpu::Toolbox& tools_;
   graph::Executor executor_;
-  gpu::Image normal_lengths_, black_, black_cube_;
+  gpu::Image normal_lengths_, black_, black_cube_, no_map_;
   gpu::Image brdf_tables_[2];  // by shading::environment_model(), made when first asked for
   gpu::Image sum_;
+  local_shadows::Maps local_shadows_;
 };
 
 }  // namespace velarium::frame

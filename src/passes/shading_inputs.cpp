@@ -23,6 +23,15 @@ void set_lamps(const ShadingInputs& in, gpu::Specialization& constants) {
   constants[14] = std::bit_cast<std::uint32_t>(lighting.min_highlight_alpha);
 }
 
+// The atlas as plain depth, as comparisons, and the table of what it holds: upload/local_shadows.glsl.
+void bind_local_shadows(graph::SetWriter& set, const ShadingInputs& in) {
+  if (in.shadow_atlas.version == 0) {
+    set.sampled(5, in.no_map).sampled(6, in.no_map, {.compare = true}).buffer(7, in.scene.lights);
+    return;
+  }
+  set.sampled(5, in.shadow_atlas).sampled(6, in.shadow_atlas, {.compare = true}).buffer(7, in.scene.shadow_views);
+}
+
 }  // namespace
 
 gpu::Specialization shading_constants(const ShadingInputs& in) {
@@ -35,6 +44,7 @@ gpu::Specialization shading_constants(const ShadingInputs& in) {
   constants[4] = in.environment.present ? 1u : 0u;
   constants[5] = in.environment.diffuse == DiffuseEnvironment::sh ? 1u : 0u;
   set_lamps(in, constants);
+  if (in.shadow_atlas.version != 0) constants[7] = static_cast<std::uint32_t>(in.settings.local_shadows.taps);
   constants[9] = in.scene.clip_volumes ? 1u : 0u;
   set_contact_shadows(in.settings.contact_shadows, constants);
   return constants;
@@ -57,6 +67,7 @@ void bind(graph::SetWriter& set, const ShadingInputs& in) {
       .sampled(12, in.scene.gpu->projectors().array)
       // Where there are none, something is bound and never read.
       .buffer(13, in.scene.clip_volumes ? in.scene.clip_volumes : in.scene.lights);
+  bind_local_shadows(set, in);
 }
 
 void bind(graph::SetWriter& set, const GBuffer& in) {

@@ -25,6 +25,7 @@ struct ShadingInputs {
   const upload::SceneTables& scene;
   const Environment& environment;
   const Settings& settings;
+  const gpu::Image& no_map;        // of depth: bound, and never read, where a map is missing
   graph::GraphImage shadow_atlas;  // depth of point and spot lights' views
   graph::GraphImage sun_cascades;  // depth, a layer a cascade
   graph::GraphImage sun_mask;      // of opaque surfaces: what share of the sun arrives

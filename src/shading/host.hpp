@@ -73,6 +73,7 @@ using glm::sqrt;
 #include "shading/normal_variance.glsl"
 #include "shading/projector.glsl"
 #include "shading/sampling.glsl"
+#include "shading/shadow_atlas.glsl"
 #include "shading/shadow_bias.glsl"
 #include "shading/shadow_filter.glsl"
 #include "shading/smoothness.glsl"

@@ -9,6 +9,7 @@
 #include "shading/sphere_light.glsl"
 #include "upload/clip_volumes.glsl"
 #include "upload/gpu_structs.glsl"
+#include "upload/local_shadows.glsl"
 #include "upload/projectors.glsl"
 
 layout(set = 1, binding = 0) uniform samplerCube environment_map;      // pre-convolved levels
@@ -98,6 +99,8 @@ vec3 reflected_openly(ShadingPoint p, LightSample light) {
 vec3 reflected(ShadingPoint p, GpuLight l, LightSample light) {
   if (!inside_clip_volume(l.clip_volume, p.position_ws, p.surface.normal_ws)) return vec3(0.0);
   vec3 radiance = reflected_openly(p, light);
+  if (kLocalShadows != 0u && l.shadow_view != 0u && radiance != vec3(0.0))
+    radiance *= local_visibility(l, p.position_ws);
   return radiance == vec3(0.0) ? radiance : radiance * contact_visibility(p, l, light.wi);
 }
 

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "graph/graph.hpp"
+#include "passes/local_shadows/keeper.hpp"
+#include "upload/gpu_scene.hpp"
+
+namespace velarium::local_shadows {
+
+// Maps of depth of point and spot lights in one image, which is allocated once for each size of it.
+struct Maps {
+  gpu::Image atlas;                         // depth, reversed: 1 near the light, 0 far; D32F
+  std::vector<MapDraw> draws;               // that this picture needs
+  MapKeeper keeper;                         // of what the atlas holds, where settings.updates bounds the draws
+  const upload::GpuScene* scene = nullptr;  // that the keeper speaks of
+};
+
+// Plans the maps of a picture, and tells the lights where to find theirs: before the first of its frames. Returns how
+// many lights that should have maps have none, as the atlas has no room for them or settings.updates no time. Throws
+// Error(usage) where the device has no images as large as the atlas.
+std::uint32_t prepare(Maps& maps, gpu::Device& device, upload::SceneTables& tables, const Viewer& viewer,
+                      const Settings& settings);
+
+struct Inputs {
+  const upload::SceneTables& scene;
+  Maps& maps;
+  bool first = true;  // the first frame of a picture draws, the others read
+};
+
+// The atlas, for GpuLight::shadow_view and SceneTables::shadow_views; version 0 where no light has a map.
+[[nodiscard]] graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings& settings);
+
+}  // namespace velarium::local_shadows

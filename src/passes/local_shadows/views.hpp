@@ -1,0 +1,56 @@
+#pragma once
+
+// What the maps of lights look at, and how large they should be. Pure functions: places relative to the eye.
+
+#include "passes/local_shadows/coverage.hpp"
+#include "upload/casters.hpp"
+
+#include <velarium/settings.hpp>
+
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace velarium::local_shadows {
+
+using Settings = velarium::Settings::local_shadows_settings;
+
+// The picture that maps are made for.
+struct Viewer {
+  const upload::ViewMatrices& view;
+  glm::uvec2 size{1};  // pixels
+};
+
+// One view from one light, before it has a tile.
+struct View {
+  std::uint32_t light = 0;  // into the table of lights
+  std::uint32_t face = 0;   // as shading::shadow_face() numbers them; 0 of a light that has one view
+  glm::dvec3 position{0.0};
+  std::array<glm::dvec3, 3> axes{};  // right, down, forward: unit, right-handed
+  double half_tangent = 1.0;         // of what the light reaches, without what filters need around it
+  double near = 0.0, reach = 0.0;    // along forward, metres
+  float kernel = 0.0f;               // the widest filter, tangents
+  double pixels = 0.0;               // of the picture, that what it lights may cover
+  double importance = 0.0;           // of the light: candela times pixels
+};
+
+// How many views a light has, seen or not: 1 or 6.
+[[nodiscard]] std::uint32_t view_count(const shading::GpuLight& light);
+
+// The views that matter, light after light and face after face: those that see a caster (opaque or cutout), and light
+// a part of what the viewer may see. Lights that cast no shadow have none, nor has the sun.
+[[nodiscard]] std::vector<View> wanted_views(std::span<const shading::GpuLight> lights, const Viewer& viewer,
+                                             const upload::CasterTable& casters);
+
+// Texels a side: a power of two within the settings' largest.
+[[nodiscard]] std::uint32_t wanted_size(const View& view, const Settings& settings);
+
+// Tiles are never smaller: below it shadows are but spots, and borders eat the tile.
+inline constexpr std::uint32_t kSmallestTile = 32;
+
+// The side of the atlas, texels: a power of two.
+[[nodiscard]] std::uint32_t atlas_side(const Settings& settings);
+
+}  // namespace velarium::local_shadows
