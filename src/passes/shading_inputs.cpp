@@ -5,7 +5,8 @@
 namespace velarium::passes {
 namespace {
 
-constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST};
+constexpr gpu::SamplerDesc kNearest{
+    .mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST, .mip = VK_SAMPLER_MIPMAP_MODE_NEAREST};
 
 // Constants 10, 18 and 19: upload/contact_shadows.glsl.
 void set_contact_shadows(const Settings::contact_shadows_settings& contact, gpu::Specialization& constants) {
@@ -26,7 +27,7 @@ void set_lamps(const ShadingInputs& in, gpu::Specialization& constants) {
 // The atlas as plain depth, as comparisons, and the table of what it holds: upload/local_shadows.glsl.
 void bind_local_shadows(graph::SetWriter& set, const ShadingInputs& in) {
   if (in.shadow_atlas.version == 0) {
-    set.sampled(5, in.no_map).sampled(6, in.no_map, {.compare = true}).buffer(7, in.scene.lights);
+    set.sampled(5, in.no_map, kNearest).sampled(6, in.no_map, {.compare = true}).buffer(7, in.scene.lights);
     return;
   }
   set.sampled(5, in.shadow_atlas).sampled(6, in.shadow_atlas, {.compare = true}).buffer(7, in.scene.shadow_views);
@@ -43,8 +44,8 @@ gpu::Specialization shading_constants(const ShadingInputs& in) {
   constants[3] = lighting.occlusion ? 1u : 0u;
   constants[4] = in.environment.present ? 1u : 0u;
   constants[5] = in.environment.diffuse == DiffuseEnvironment::sh ? 1u : 0u;
-  set_lamps(in, constants);
   if (in.shadow_atlas.version != 0) constants[7] = static_cast<std::uint32_t>(in.settings.local_shadows.taps);
+  set_lamps(in, constants);
   constants[9] = in.scene.clip_volumes ? 1u : 0u;
   set_contact_shadows(in.settings.contact_shadows, constants);
   return constants;
