@@ -14,6 +14,9 @@ const float kMaxSphereSine = 0.99f;
 // the formulas stand for.
 const float kMinVDotH = 1e-3f;
 
+// Half vectors nearer to the horizon than a thousandth are as far from the normal as matters.
+const float kLeastCosine2 = 1e-6f;
+
 // --- where in the sphere the highlight looks ----------------------------------------------------------------------
 //
 // [de Carpentier & Ishiyama 2017, Decima]: of all directions to the sphere, the one whose half vector is nearest to the
@@ -104,14 +107,27 @@ FN float bent_lobe_energy(float perimeter, float area) {
   return 1.0f + 0.25f * perimeter + kInvPi * area;
 }
 
-// What the bent lobe is multiplied by. slope: tangent between the normal and the bent half vector.
-FN float sphere_highlight_scale(IN(SphereHighlight) highlight, float slope, float sine, float alpha, float v_dot_h) {
+// Tangent of the angle between unit vectors n and h, where that is less than 90 degrees; else very large.
+FN float slope_between(vec3 n, vec3 h) {
+  vec3 n_cross_h = cross(n, h);
+  float sin2 = min(dot(n_cross_h, n_cross_h), 1.0f);
+  return dot(n, h) > 0.0f ? sqrt(sin2 / max(1.0f - sin2, kLeastCosine2)) : inversesqrt(kLeastCosine2);
+}
+
+// What the bent lobe is multiplied by. edge, center: tangents between the normal and the half vectors of the bent
+// direction and of the sphere's centre.
+FN float sphere_highlight_scale(IN(SphereHighlight) highlight, float edge, float center, float sine, float alpha,
+                                float v_dot_h) {
   require(alpha > 0.0f && v_dot_h > 0.0f);
   float short_axis = 0.5f * sine / alpha;
   float radius = short_axis * inversesqrt(v_dot_h);
-  float edge = slope / alpha;
-  float peak = 1.0f + edge * edge;
-  float mean = ggx_disc_mean(highlight.depth > 0.0f ? -radius * highlight.depth : edge, radius) * peak * peak;
+  float near = edge / alpha;
+  // Next to the ellipse its edge counts, far from it its centre: the disc moves from one to the other.
+  float moved = max(center / alpha, near) - near - radius;
+  float disc_edge =
+      highlight.depth > 0.0f ? -radius * highlight.depth : near + moved * near / max(near + radius, 1e-6f);
+  float peak = 1.0f + near * near;
+  float mean = ggx_disc_mean(disc_edge, radius) * peak * peak;
   // The ellipse's perimeter, nearly pi times the sum of its semi-axes, collects more light than the disc's.
   float area = kPi * radius * radius;
   float ellipse = bent_lobe_energy(kPi * short_axis * (1.0f + 1.0f / v_dot_h), area);
@@ -149,11 +165,11 @@ FN vec3 evaluate_brdf_sphere(IN(Surface) s, float alpha, vec3 wo, vec3 wi, float
   float seen_sine = min(sine, kMaxSphereSine);
   float n_dot_l = sphere_horizon_cosine(dot(s.normal_ws, wi), seen_sine);
   SphereHighlight highlight = sphere_highlight(s.normal_ws, wo, wi, seen_sine);
-  vec3 n_cross_h = cross(s.normal_ws, half_vector(wo, highlight.direction));
-  float sin2 = min(dot(n_cross_h, n_cross_h), 1.0f);
-  float slope = sqrt(sin2 / max(1.0f - sin2, 1e-6f));
-  float v_dot_h = max(dot(wo, half_vector(wo, wi)), kMinVDotH);
-  vec3 scale = specular_scale * sphere_highlight_scale(highlight, slope, seen_sine, alpha, v_dot_h);
+  vec3 center_half = half_vector(wo, wi);
+  float edge = slope_between(s.normal_ws, half_vector(wo, highlight.direction));
+  float center = slope_between(s.normal_ws, center_half);
+  float v_dot_h = max(dot(wo, center_half), kMinVDotH);
+  vec3 scale = specular_scale * sphere_highlight_scale(highlight, edge, center, seen_sine, alpha, v_dot_h);
   return evaluate_brdf_bent(s, alpha, wo, wi, n_dot_l, highlight.direction, scale, model);
 }
 

@@ -105,7 +105,7 @@ class Flags(CliTest):
         base = self.render().read_bytes()
         for flags in (["--exposure", "1"], ["--exposure", "auto"], ["--ev100", "2"], ["--tonemap", "agx"],
                       ["--tonemap", "aces"], ["--tonemap", "linear"], ["--env", "none"], ["--env-rotate", "90"],
-                      ["--env-intensity", "2"], ["--spp", "2"], ["--eye", "1,2,9", "--fov", "60"],
+                      ["--env-intensity", "2"], ["--sun", "30,40"], ["--spp", "2"], ["--eye", "1,2,9", "--fov", "60"],
                       ["--eye", "1,2,9", "--target", "0,1,0", "--up", "1,0,0"], ["--background", "#ff0000"],
                       ["-D", "lighting.model=ryse"], ["-D", "display.exposure=1"]):
             self.assertNotEqual(self.render(*flags).read_bytes(), base, flags)

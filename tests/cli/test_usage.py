@@ -62,6 +62,9 @@ class WrongArguments(CliTest):
         self.expect(USAGE, "render", "--tonemap", "filmic", says="neutral, agx, aces, linear")
         self.expect(USAGE, "render", "--env-rotate", "361", says="from -360 to 360")
         self.expect(USAGE, "render", "--env-intensity", "-1", says="from 0 to")
+        self.expect(USAGE, "render", "--sun", "0,91", says="from -90 to 90")
+        for sun in ("45", "45,", "45,30,", "45,30,4,1", "east,30"):
+            self.expect(USAGE, "render", "--sun", sun, says="AZIMUTH,ELEVATION")
         self.expect(USAGE, "render", "-D", "lighting.occlusion=perhaps", says="on, off")
         self.expect(USAGE, "bench", "--frames", "1", says="from 2")
         self.expect(USAGE, "bench", "--warm-up", "x", says="from 0")

@@ -89,6 +89,13 @@ TEST(Requests, SettingsOutOfTheirRangesAreRefused) {
   EXPECT_EQ(refusal_of([](RenderRequest& request) { request.settings.display.exposure = kNaN; }), ErrorCode::usage);
 }
 
+TEST(Requests, SunsOutOfTheirRangesAreRefused) {
+  for (const Sun& sun : {Sun{.elevation_deg = 90.5f}, Sun{.azimuth_deg = kNaN}, Sun{.illuminance_lux = -1.0f},
+                         Sun{.illuminance_lux = kInfinity}, Sun{.angular_radius_deg = 90.0f}})
+    EXPECT_EQ(refusal_of([&](RenderRequest& request) { request.sun = sun; }), ErrorCode::usage);
+  EXPECT_EQ(refusal_of([](RenderRequest& request) { request.sun = Sun{.elevation_deg = -90.0f}; }), std::nullopt);
+}
+
 TEST(Requests, BackgroundsThatAreNoColorAreRefused) {
   for (const float channel : {-0.1f, 1.1f, kNaN})
     EXPECT_EQ(refusal_of([&](RenderRequest& request) { request.background_color[1] = channel; }), ErrorCode::usage);

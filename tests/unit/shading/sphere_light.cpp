@@ -328,8 +328,8 @@ TEST(SphereBrdf, KeepsItsEnergyAtObliqueViews) {
   for (const double n_dot_v : {1.0, 0.7, 0.5, 0.3, 0.15}) {
     for (const double w : {0.5, 1.0, 2.0}) {
       const Highlight h = highlight(w, 0.02f, n_dot_v);
-      EXPECT_NEAR(h.energy, 1.0, 0.025) << n_dot_v << " " << w;
-      EXPECT_LT(h.error, n_dot_v < 0.5 ? 0.23 : 0.12) << n_dot_v << " " << w;
+      EXPECT_NEAR(h.energy, 1.0, 0.07) << n_dot_v << " " << w;
+      EXPECT_LT(h.error, n_dot_v < 0.5 ? 0.23 : 0.08) << n_dot_v << " " << w;
     }
   }
 }
