@@ -28,7 +28,7 @@ void add_tangents(Scene& scene) {
 
 }  // namespace
 
-Scene atrium_scene(std::uint32_t lights) {
+Scene atrium_scene(std::uint32_t lights, bool sun) {
   SceneBuilder builder("atrium");
   atrium::add_materials(builder);
   atrium::add_columns(builder);
@@ -38,8 +38,10 @@ Scene atrium_scene(std::uint32_t lights) {
   atrium::add_floors(builder);
   atrium::add_vessels(builder);
   atrium::add_awnings(builder);
-  atrium::add_torches(builder, lights == kTorches);
-  if (lights != kTorches) atrium::add_lamps(builder, lights);
+  const bool torches = lights == kTorches;
+  atrium::add_torches(builder, torches, sun ? atrium::kFlameRadius : 0.0f);
+  if (!torches) atrium::add_lamps(builder, lights);
+  if (sun) atrium::add_beams(builder);
   add_cameras(builder);
   Scene scene = std::move(builder).take();
   atrium::measure_daylight(scene);

@@ -83,7 +83,7 @@ Primitive flame() {
 
 }  // namespace
 
-void add_torches(SceneBuilder& builder, bool lit) {
+void add_torches(SceneBuilder& builder, bool lit, float radius) {
   const auto bracket = builder.add_mesh("sconce", sconce(), kBronze);
   const auto candelabrum = builder.add_mesh("candelabrum", stand(), kBronze);
   const auto fire = builder.add_mesh("flame", flame(), kFlame);
@@ -96,6 +96,7 @@ void add_torches(SceneBuilder& builder, bool lit) {
     light.color = kFireColor;
     light.intensity = kTorchCandela;
     light.range = kTorchRange;
+    light.radius = radius;
     builder.place_light(std::move(light), spot.position + glm::vec3(0.0f, kFlameMiddle, 0.0f), glm::quat(1, 0, 0, 0));
   };
   constexpr float kHeight = 2.0f;

@@ -26,7 +26,9 @@ inline constexpr std::uint32_t kTorches = 24;
 // A Roman courtyard at evening: columns, arches, painted walls, a pool, awnings, and the light of 24 torches and of the
 // environment "sky". Cameras "entrance", "pool" and "walk". Another number of lights has the power of the torches in
 // all: points and spots spread over the court, each reaching as far as it lights as brightly as a torch at its end.
-[[nodiscard]] Scene atrium_scene(std::uint32_t lights);
+// sun: the evening is earlier: a low sun shines through the awnings, torches are as large as their flames, and a
+// lantern throws a pattern.
+[[nodiscard]] Scene atrium_scene(std::uint32_t lights, bool sun);
 
 // Copies of one gilded knot, 1152 triangles each, arranged as the seeds of a sunflower. The disc keeps its size, so
 // that more copies are smaller ones and cover about the same pixels.

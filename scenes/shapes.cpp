@@ -96,9 +96,13 @@ Node& SceneBuilder::add_node(const std::string& name, const glm::vec3& position)
   return node;
 }
 
-std::int32_t SceneBuilder::add_texture(Image image, const Sampler& sampler) {
+std::int32_t SceneBuilder::add_image(Image image) {
   scene_.images.push_back(std::move(image));
-  scene_.textures.push_back({static_cast<std::int32_t>(scene_.images.size() - 1), sampler});
+  return static_cast<std::int32_t>(scene_.images.size() - 1);
+}
+
+std::int32_t SceneBuilder::add_texture(Image image, const Sampler& sampler) {
+  scene_.textures.push_back({add_image(std::move(image)), sampler});
   return static_cast<std::int32_t>(scene_.textures.size() - 1);
 }
 

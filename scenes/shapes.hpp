@@ -62,6 +62,7 @@ class SceneBuilder {
   std::uint32_t add_material(Material material);
   std::uint32_t add_mesh(const std::string& name, Primitive primitive, std::uint32_t material);
   std::int32_t add_texture(Image image, const Sampler& sampler = {});
+  std::int32_t add_image(Image image);  // for what is no texture
 
   // Root nodes. Cameras and lights take the name of their node.
   void place_mesh(std::uint32_t mesh, const glm::vec3& position, float yaw_rad = 0.0f,

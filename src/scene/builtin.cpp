@@ -31,20 +31,22 @@ struct Entry {
   Scene (*make)(Values);
 };
 
+constexpr const char* kSwitch[] = {"off", "on"};
+
 constexpr Parameter kAtriumParameters[] = {
     {"lights",
      kTorches,
      0,
      4096,
      "lamps that share the light of the 24 torches; 24 stand at the torches, others spread over the court",
-     {}}};
+     {}},
+    {"sun", 0, 0, 1, "a low sun, torches as large as their flames, a lantern that throws a pattern", kSwitch}};
 constexpr Parameter kKnotsParameters[] = {
     {"instances", 256, 1, 65536, "copies of one knot, on a disc of one size", {}}};
 constexpr Parameter kTerrainParameters[] = {
     {"triangles", 500'000, 10'000, 10'000'000, "triangles of the land, within a hundredth", {}}};
 
 constexpr const char* kLightKinds[] = {"sun", "point", "spot"};  // in the order of LightKind
-constexpr const char* kSwitch[] = {"off", "on"};
 constexpr Parameter kBoxesParameters[] = {
     {"light", 0, 0, 2, "the one light there is", kLightKinds},
     {"radius", 0, 0, 1000, "of the light: millimetres of a bulb, thousandths of a radian of the sun's disc", {}},
@@ -60,12 +62,16 @@ Scene with_number(Values values) {
   return Make(values[0]);
 }
 
+Scene atrium(Values values) {
+  return atrium_scene(values[0], values[1] == 1);
+}
+
 Scene boxes(Values values) {
   return boxes_scene(static_cast<LightKind>(values[0]), 0.001f * static_cast<float>(values[1]), values[2] == 1);
 }
 
 constexpr Entry kEntries[] = {
-    {"atrium", kAtriumParameters, with_number<atrium_scene>},
+    {"atrium", kAtriumParameters, atrium},
     {"spheres", {}, without_parameter<spheres_scene>},
     {"furnace", {}, without_parameter<furnace_scene>},
     {"cornell", {}, without_parameter<cornell_scene>},

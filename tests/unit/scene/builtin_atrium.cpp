@@ -60,6 +60,15 @@ TEST_F(Atrium, HasItsTorchesItsCamerasAndItsSky) {
   EXPECT_EQ(scene().environment, "sky");
 }
 
+TEST(AtriumInTheSun, HasASunLargeFlamesAndALantern) {
+  const Scene scene = builtin_scene("atrium?sun=on");
+  const auto count = [&](auto holds) { return std::ranges::count_if(scene.lights, holds); };
+  EXPECT_EQ(count([](const Light& l) { return l.kind == LightKind::point && l.radius > 0.0f; }), 24);
+  EXPECT_EQ(count([](const Light& l) { return l.kind == LightKind::directional && l.angular_radius > 0.0f; }), 1);
+  EXPECT_EQ(count([](const Light& l) { return l.kind == LightKind::spot && l.projector.present(); }), 1);
+  EXPECT_EQ(scene.lights.size(), 26u);
+}
+
 TEST_F(Atrium, NormalMapsHaveTangentsAndOcclusionItsOwnTextureCoordinates) {
   for (const Primitive& p : scene().primitives) {
     const Material& m = scene().materials[static_cast<std::size_t>(p.material)];

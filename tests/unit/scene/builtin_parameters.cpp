@@ -69,7 +69,7 @@ TEST(BuiltinParameters, ErrorsListTheKeysAndTheirRanges) {
 
 TEST(BuiltinParameters, TellDefaultsAndValues) {
   EXPECT_TRUE(builtin_parameters("cornell").empty());
-  ASSERT_EQ(builtin_parameters("atrium").size(), 1u);
+  ASSERT_EQ(builtin_parameters("atrium").size(), 2u);
   EXPECT_EQ(builtin_parameters("atrium")[0].value, 24u);
   EXPECT_EQ(builtin_parameters("atrium?lights=7")[0].value, 7u);
   EXPECT_EQ(builtin_parameters("atrium?lights=7&lights=8")[0].value, 8u);
