@@ -9,8 +9,8 @@
 namespace velarium::light_volumes {
 namespace {
 
-// Marking costs as much as drawing the body twice, and every pixel of the screen a look at its mark: from here on it was
-// seen to pay.
+// Marking costs as much as drawing the body twice, and every pixel of the screen a look at its mark: from here on it
+// was seen to pay.
 constexpr float kMarkedShare = 0.25f;
 
 // Up to here a body has more vertices than its quad has pixels.
