@@ -283,6 +283,32 @@ def lights():
     return g
 
 
+def clip_volumes():
+    """Two rooms and the wall between: a warm lamp ends at the box of the left room, a cold one at a hexagon in the right."""
+    g = Gltf()
+    grey = g.material([0.7, 0.7, 0.7, 1], roughness=0.8)
+    facing = {-1: turn([0, 1, 0], 90), 1: turn([0, 1, 0], -90)}
+    floor, back = (g.mesh(g.primitive(**shape, material=grey)) for shape in (ground(4), quad(4, 2)))
+    for side in (-1, 1):
+        g.node(mesh=floor, translation=[2 * side, 0, 0])
+        g.node(mesh=back, translation=[2 * side, 1, -2])
+        g.node(mesh=back, translation=[4 * side, 1, 0], rotation=facing[side])
+        g.node(mesh=back, translation=[0, 1, 0], rotation=facing[-side])
+        ball = g.mesh(g.primitive(**sphere(0.5, 14, 28), material=g.material([0.8, 0.8, 0.8, 1], roughness=0.4)))
+        g.node(mesh=ball, translation=[2.6 * side, 0.5, -0.8])
+    g.node(translation=[-2, 1, 0], extras={"clip_volume": {"name": "left room", "half_size": [2, 1, 2]}})
+    corners = [[math.cos(math.radians(60 * i)), y, math.sin(math.radians(60 * i))] for i in range(6) for y in (-1, 1)]
+    sides = [k for i in range(6) for k in (2 * i, 2 * i + 1, (2 * i + 2) % 12)]
+    sides += [k for i in range(6) for k in (2 * i + 1, (2 * i + 3) % 12, (2 * i + 2) % 12)]
+    column = g.mesh(g.primitive(corners, indices=sides))
+    g.node(mesh=column, translation=[2, 1, 0.4], scale=[1.2, 1, 1.2], extras={"clip_volume": {"name": "hexagon"}})
+    for x, color, volume in ((-1.2, [1, 0.65, 0.3], "left room"), (1.6, [0.35, 0.6, 1], "hexagon")):
+        extras = {"casts_shadow": False, "clip_volume": volume}
+        g.light([x, 1.4, 0.4], [0, 0, 0, 1], name=volume, type="point", intensity=4, color=color, extras=extras)
+    g.camera([0, 6.4, 6.4], [0, 0.2, -0.2])
+    return g
+
+
 def area_lights():
     """A bulb of 25 cm over a floor and metal balls from smooth to rough, and a far disc of 6 degrees. No shadows."""
     g = Gltf()
@@ -752,6 +778,7 @@ SCENES = [
     mirrored_and_masked,
     blend_layers,
     lights,
+    clip_volumes,
     area_lights,
     projectors,
     texture_transform,

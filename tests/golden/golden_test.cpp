@@ -66,6 +66,7 @@ constexpr Golden kGoldens[] = {
     {.name = "blend_layers", .scene = "blend_layers.gltf"},
     {.name = "blend_layers_over_color", .scene = "blend_layers.gltf", .background = Background::color},
     {.name = "lights", .scene = "lights.gltf"},
+    {.name = "clip_volumes", .scene = "clip_volumes.gltf"},
     {.name = "area_lights", .scene = "area_lights.gltf"},
     {.name = "projectors", .scene = "projectors.gltf"},
     {.name = "texture_transform", .scene = "texture_transform.gltf"},
