@@ -132,7 +132,8 @@ TEST(SpecularAntiAliasing, BallsAreRougherTowardsTheRim) {
   request.look_at = LookAt{.eye = {-0.5f, -0.5f, distance},
                            .target = {-0.5f, -0.5f, 0.0f},
                            .vertical_fov_deg = 2.0f * glm::degrees(std::atan(half_height / distance))};
-  const auto s = smoothness_of(data("metallic_roughness.gltf"), request, "specular_aa.screen=on specular_aa.strength=4.8");
+  const auto s =
+      smoothness_of(data("metallic_roughness.gltf"), request, "specular_aa.screen=on specular_aa.strength=4.8");
   const auto at = [&](std::uint32_t x, std::uint32_t y) { return s[64 * y + x]; };
   for (std::uint32_t x = 33; x < 50; ++x) EXPECT_LE(at(x, 32), at(x - 1, 32) + 2.5f / 255.0f) << x;
   // Five taps of normals that turn by gx and gy a pixel: 2 v = 0.4 (gx^2 + gy^2), on alpha 0.04. In the middle both are
