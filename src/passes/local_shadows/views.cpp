@@ -34,10 +34,7 @@ Box relative_box(const scene::Aabb& box, const dvec3& eye) {
 
 Box bounds_of(const upload::CasterTable& casters, const dvec3& eye) {
   scene::Aabb all;
-  for (const auto& caster : casters.casters) {
-    all.min = glm::min(all.min, caster.bounds.min);
-    all.max = glm::max(all.max, caster.bounds.max);
-  }
+  for (const auto& caster : casters.casters) all.add(caster.bounds);
   Box box = relative_box(all, eye);
   const dvec3 slack(kBoundsSlack * glm::length(box.high - box.low));
   return {box.low - slack, box.high + slack};
