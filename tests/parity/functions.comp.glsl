@@ -13,6 +13,7 @@
 #include "shading/normal_variance.glsl"
 #include "shading/projector.glsl"
 #include "shading/sampling.glsl"
+#include "shading/shadow_atlas.glsl"
 #include "shading/sphere_light.glsl"
 #include "shading/tile_culling.glsl"
 #include "shading/tonemap.glsl"
