@@ -123,7 +123,8 @@ FN float sphere_highlight_scale(IN(SphereHighlight) highlight, float edge, float
   float radius = short_axis * inversesqrt(v_dot_h);
   float near = edge / alpha;
   // Next to the ellipse its edge counts, far from it its centre: the disc moves from one to the other.
-  float moved = max(center / alpha, near) - near - radius;
+  float reach = clamp(center / alpha - near, short_axis, short_axis / v_dot_h);  // of the ellipse towards the normal
+  float moved = reach - radius;
   float disc_edge =
       highlight.depth > 0.0f ? -radius * highlight.depth : near + moved * near / max(near + radius, 1e-6f);
   float peak = 1.0f + near * near;
