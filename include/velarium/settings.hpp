@@ -7,6 +7,7 @@ namespace velarium {
 enum class Sync { normal, paranoid };
 enum class ShadingModel { gltf, ryse, blinn_phong };
 enum class LightingPath { tiled, volumes, all };
+enum class MapUpdate { all, staggered };
 enum class DiffuseEnvironment { map, sh };
 enum class ExposureMode { manual, ev100, automatic };
 enum class Tonemap { neutral, agx, aces, linear };

@@ -20,6 +20,8 @@ std::size_t texel_bytes(VkFormat format) {
   switch (format) {
     case VK_FORMAT_R8G8B8A8_UNORM:
     case VK_FORMAT_R8G8B8A8_SRGB:
+    case VK_FORMAT_R32_SFLOAT:
+    case VK_FORMAT_D32_SFLOAT:
     case VK_FORMAT_D32_SFLOAT_S8_UINT:
       return 4;  // depth alone is copied
     case VK_FORMAT_R16G16B16A16_SFLOAT:
@@ -32,7 +34,7 @@ std::size_t texel_bytes(VkFormat format) {
 }
 
 void widen(VkFormat format, const std::byte* texel, float* out) {
-  if (format == VK_FORMAT_D32_SFLOAT_S8_UINT) {
+  if (format == VK_FORMAT_D32_SFLOAT_S8_UINT || format == VK_FORMAT_D32_SFLOAT || format == VK_FORMAT_R32_SFLOAT) {
     std::memcpy(out, texel, sizeof(float));
     out[1] = out[2] = out[0];
     out[3] = 1.0f;

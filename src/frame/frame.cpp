@@ -8,6 +8,7 @@
 #include "passes/light_volumes/light_volumes.hpp"
 #include "passes/lighting/lighting.hpp"
 #include "passes/normal_variance/normal_variance.hpp"
+#include "passes/sun_mask/sun_mask.hpp"
 
 namespace velarium::frame {
 
@@ -16,11 +17,17 @@ graph::GraphImage add_frame(graph::Graph& g, const FrameInputs& in) {
   const auto rt2 = normal_variance::add(g, {in.scene, drawn.rt0, drawn.rt2, drawn.depth}, in.settings.specular_aa);
   const passes::GBuffer surface{drawn.rt0, drawn.rt1, rt2, drawn.depth};
   const auto atlas = local_shadows::add(g, {in.scene, in.local_shadows, in.first}, in.settings.local_shadows);
+  const auto& sun_settings = in.settings.sun_shadows;
+  const auto cascades = sun_shadows::add(g, {in.scene, in.sun_maps, in.first, sun_settings.slope_bias});
+  graph::GraphImage sun_mask;
+  if (!in.sun_maps.empty()) sun_mask = sun_mask::add(g, {in.scene, surface.rt0, surface.depth, cascades}, sun_settings);
   const passes::ShadingInputs shading{.scene = in.scene,
                                       .environment = in.environment,
                                       .settings = in.settings,
                                       .no_map = in.no_map,
-                                      .shadow_atlas = atlas};
+                                      .shadow_atlas = atlas,
+                                      .sun_cascades = cascades,
+                                      .sun_mask = sun_mask};
   graph::GraphImage lamps;
   if (in.settings.lighting.path == LightingPath::volumes) lamps = light_volumes::add(g, {shading, surface});
   const auto lit = lighting::add(g, {shading, surface, drawn.hdr, lamps});

@@ -3,6 +3,7 @@
 #include "graph/graph.hpp"
 #include "passes/local_shadows/local_shadows.hpp"
 #include "passes/shading_inputs.hpp"
+#include "passes/sun_shadows/sun_shadows.hpp"
 
 #include <velarium/settings.hpp>
 
@@ -18,6 +19,7 @@ struct FrameInputs {
   const gpu::Image& normal_lengths;
   const gpu::Image& no_map;  // of depth, where a map is missing
   local_shadows::Maps& local_shadows;
+  sun_shadows::Maps& sun_maps;
   gpu::Image& sum;    // rgba32f: of the frames of this picture so far
   bool first = true;  // does this frame start the sum?
   std::uint32_t width = 0, height = 0;

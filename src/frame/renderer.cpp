@@ -117,6 +117,7 @@ RenderResult Renderer::render(const Job& job) {
   const auto unshadowed = local_shadows::prepare(local_shadows_, tools_.device, scene,
                                                  {view, {request.width, request.height}},
                                                  request.settings.local_shadows);
+  sun_maps_.fit(tools_.device, scene, view, request.settings.sun_shadows);
 
   const gpu::ImageDesc sum_desc{VK_FORMAT_R32G32B32A32_SFLOAT, request.width, request.height};
   if (!sum_ || sum_.desc() != sum_desc)
@@ -134,6 +135,7 @@ RenderResult Renderer::render(const Job& job) {
                            .normal_lengths = normal_lengths_,
                            .no_map = no_map_,
                            .local_shadows = local_shadows_,
+                           .sun_maps = sun_maps_,
                            .sum = sum_,
                            .width = request.width,
                            .height = request.height,

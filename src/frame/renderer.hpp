@@ -42,6 +42,7 @@ class Renderer {
   graph::Executor executor_;
   gpu::Image normal_lengths_, black_, black_cube_, no_map_;
   gpu::Image brdf_tables_[2];  // by shading::environment_model(), made when first asked for
+  sun_shadows::Maps sun_maps_;
   gpu::Image sum_;
   local_shadows::Maps local_shadows_;
 };

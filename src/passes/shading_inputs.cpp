@@ -33,6 +33,15 @@ void bind_local_shadows(graph::SetWriter& set, const ShadingInputs& in) {
   set.sampled(5, in.shadow_atlas).sampled(6, in.shadow_atlas, {.compare = true}).buffer(7, in.scene.shadow_views);
 }
 
+// The mask for opaque surfaces, and for transparent ones the cascades: upload/sun_shadows.glsl.
+void bind_sun_shadows(graph::SetWriter& set, const ShadingInputs& in) {
+  set.sampled(9, in.sun_cascades).sampled(10, in.sun_cascades, {.compare = true}).buffer(11, in.scene.sun_shadows);
+  if (in.sun_mask.version != 0)
+    set.sampled(8, in.sun_mask, kNearest);
+  else
+    set.sampled(8, in.environment.background);
+}
+
 }  // namespace
 
 gpu::Specialization shading_constants(const ShadingInputs& in) {
@@ -48,6 +57,8 @@ gpu::Specialization shading_constants(const ShadingInputs& in) {
   set_lamps(in, constants);
   constants[9] = in.scene.clip_volumes ? 1u : 0u;
   set_contact_shadows(in.settings.contact_shadows, constants);
+  constants[6] = in.sun_mask.version != 0 ? 1u : 0u;
+  constants[13] = static_cast<std::uint32_t>(in.settings.sun_shadows.taps);
   return constants;
 }
 
@@ -69,6 +80,7 @@ void bind(graph::SetWriter& set, const ShadingInputs& in) {
       // Where there are none, something is bound and never read.
       .buffer(13, in.scene.clip_volumes ? in.scene.clip_volumes : in.scene.lights);
   bind_local_shadows(set, in);
+  bind_sun_shadows(set, in);
 }
 
 void bind(graph::SetWriter& set, const GBuffer& in) {

@@ -27,8 +27,8 @@ struct ShadingInputs {
   const Settings& settings;
   const gpu::Image& no_map;        // of depth: bound, and never read, where a map is missing
   graph::GraphImage shadow_atlas;  // depth of point and spot lights' views
-  graph::GraphImage sun_cascades;  // depth, a layer a cascade
-  graph::GraphImage sun_mask;      // of opaque surfaces: what share of the sun arrives
+  graph::GraphImage sun_cascades;  // depth, a layer a cascade; always there, of one texel where there is no sun
+  graph::GraphImage sun_mask;      // of opaque surfaces: what share of the sun is hidden
 };
 
 // Opaque surfaces: shading/gbuffer.glsl, read through upload/gbuffer_point.glsl.

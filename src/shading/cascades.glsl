@@ -9,7 +9,7 @@
 
 const uint kMaxCascades = 6u;
 
-// The outer share of a map's half side over which the next one takes over.
+// The share of a map's half side, along its borders and its far end, over which the next one takes over.
 const float kCascadeBlend = 0.1f;
 
 // One map.
@@ -41,12 +41,14 @@ FN vec3 cascade_place(IN(Cascade) c, vec3 p_ls) {
   return vec3(p_ls.x * c.place.x + c.place.y, p_ls.y * c.place.x + c.place.z, p_ls.z * c.depth.x + c.depth.y);
 }
 
-// How much of a point's shadow comes from this map rather than the next one: 1 inside, 0 from `margin` before the
-// border on. A point takes the first map whose weight is above a number in [0, 1): 0.5, or noise for a soft change.
+// How much of a point's shadow comes from this map rather than the next one: 1 inside, falling to 0 where filters would
+// leave the map, and at its far end; nearer to the sun than the map begins there is nothing to be shadowed. A point takes
+// the first map whose weight is above a number in [0, 1): 0.5, or noise for a soft change.
 FN float cascade_weight(IN(Cascade) c, vec3 place) {
-  float outwards = 2.0f * max(abs(place.x - 0.5f), abs(place.y - 0.5f));
-  float end = 1.0f - 2.0f * c.place.w;
-  return clamp((end - outwards) / kCascadeBlend, 0.0f, 1.0f);
+  float sideways = 1.0f - 2.0f * c.place.w - 2.0f * max(abs(place.x - 0.5f), abs(place.y - 0.5f));
+  float from_end = 2.0f * place.z * c.depth.z * c.place.x;
+  float inside = place.z <= 1.0f ? min(sideways, from_end) : 0.0f;
+  return clamp(inside / kCascadeBlend, 0.0f, 1.0f);
 }
 
 #endif

@@ -1,10 +1,10 @@
 // Soft shadows from maps of depth: where taps lie, and how wide a penumbra is [Crytek, "Secrets of CryENGINE 3 Graphics
 // Technology", 2011, presorted taps; Fernando 2005, "Percentage-Closer Soft Shadows", blocker search].
 //
-// A filter has two steps. The search looks at stored depths around the receiver, from near the middle outwards, and
-// averages the distances of those blockers that may hide a part of the light. The average gives rho, the width of the
-// penumbra as a share of the widest one. Then the first m taps of a disc compare, m = rho^2 n: fewer and nearer ones
-// where the shadow is sharp. Lengths across the map are in whatever unit the caller chooses, one unit a call.
+// A filter has two steps. The search looks at stored depths around the receiver, and averages the distances of those
+// blockers that may hide a part of the light. The average gives rho, the width of the penumbra as a share of the widest
+// one. Then the first m taps of a disc compare, m = rho^2 n: fewer and nearer ones where the shadow is sharp. Lengths
+// across the map are in whatever unit the caller chooses, one unit a call.
 #ifndef VEL_SHADING_SHADOW_FILTER_GLSL
 #define VEL_SHADING_SHADOW_FILTER_GLSL
 
@@ -34,12 +34,13 @@ FN float disc_tap_radius(uint i, uint n) {
   return sqrt((float(i) + 0.5f) / float(n));
 }
 
-// Radius of tap i of n of the search, from `inner` to `outer`. Its square law crowds taps about the middle, where
-// near blockers, which cast narrow penumbrae, are to be found.
+// Radius of tap i of n of the search, from `inner` to `outer`. Every other tap is evenly spread over the disc, as the
+// rim of a wide penumbra hides little of it and is lost where few look there; those between crowd about the middle by a
+// square law, where near blockers, which cast narrow penumbrae, are to be found.
 FN float search_tap_radius(uint i, uint n, float inner, float outer) {
   require(i < n && inner <= outer);
   float x = (float(i) + 0.5f) / float(n);
-  return inner + (outer - inner) * x * x;
+  return inner + (outer - inner) * ((i & 1u) == 0u ? sqrt(x) : x * x);
 }
 
 // May a blocker hide a part of the light? It stands `offset` beside the way from the receiver to the light's middle;

@@ -22,6 +22,7 @@ layout(constant_id = 2) const uint kMultiScatter = 1u;
 layout(constant_id = 3) const uint kOcclusion = 1u;
 layout(constant_id = 4) const uint kEnvironment = 1u;      // 0: there is none
 layout(constant_id = 5) const uint kDiffuseSh = 0u;        // 1: irradiance from frame.sh, 0: from irradiance_map
+layout(constant_id = 6) const uint kSunShadows = 0u;       // 1: frame.sun_light casts shadows
 
 layout(constant_id = 11) const uint kSphereHighlights = 0u; // 0: no light has a size
 layout(constant_id = 14) const float kMinHighlightAlpha = 0.002325;
@@ -84,6 +85,9 @@ vec3 environment_light(ShadingPoint p, FrameUniforms frame) {
 // What near surfaces leave of the light that comes from direction `wi`. The includer defines it.
 float contact_visibility(ShadingPoint p, GpuLight l, vec3 wi);
 
+// The share of the sun, frame.sun_light, that reaches the point. The includer defines it.
+float sun_visibility(ShadingPoint p);
+
 // What of a lamp's light would go towards the eye if nothing stood in its way.
 vec3 reflected_openly(ShadingPoint p, LightSample light) {
   bool sized = kSphereHighlights != 0u && light.sine > 0.0;
@@ -108,7 +112,9 @@ vec3 reflected(ShadingPoint p, GpuLight l, LightSample light) {
 // every way to find the lamps of a pixel sees it.
 vec3 light_directional(ShadingPoint p, uint index) {
   GpuLight l = lights[index];
-  return reflected(p, l, sample_directional(l));
+  vec3 radiance = reflected(p, l, sample_directional(l));
+  if (kSunShadows != 0u && index == frame.sun_light && radiance != vec3(0.0)) radiance *= sun_visibility(p);
+  return radiance;
 }
 
 vec3 light_point(ShadingPoint p, uint index) {

@@ -12,6 +12,7 @@ layout(set = 0, binding = 2) uniform sampler2D rt1;
 layout(set = 0, binding = 3) uniform sampler2D rt2;
 layout(set = 0, binding = 4) uniform sampler2D depth_map;
 layout(set = 0, binding = 5) uniform usampler2D class_map;
+layout(set = 1, binding = 8) uniform sampler2D sun_mask;   // occlusion
 
 #include "upload/contact_shadows.glsl"
 
@@ -38,8 +39,16 @@ uint gbuffer_class(ivec2 pixel) {
   return texelFetch(class_map, pixel, 0).r & 3u;
 }
 
+// Of the pixel whose point is being lit: the mask is the one thing that knows pixels.
+float pixel_sun_visibility = 1.0;
+
+float sun_visibility(ShadingPoint p) {
+  return pixel_sun_visibility;
+}
+
 // depth: view depth, not 0. material_class: not kClassUnlit.
 ShadingPoint gbuffer_point(ivec2 pixel, float depth, uint material_class) {
+  if (kSunShadows != 0u) pixel_sun_visibility = 1.0 - texelFetch(sun_mask, pixel, 0).r;
   GBufferTexel texel = GBufferTexel(texelFetch(rt0, pixel, 0), texelFetch(rt1, pixel, 0), texelFetch(rt2, pixel, 0));
   vec3 position_vs = view_position(ndc_of_pixel(pixel), depth, frame.ndc_to_view, frame.perspective);
   vec3 wo_vs = frame.perspective > 0.5 ? -normalize(position_vs) : vec3(0.0, 0.0, 1.0);

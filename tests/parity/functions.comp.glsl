@@ -14,6 +14,8 @@
 #include "shading/projector.glsl"
 #include "shading/sampling.glsl"
 #include "shading/shadow_atlas.glsl"
+#include "shading/shadow_bias.glsl"
+#include "shading/shadow_filter.glsl"
 #include "shading/sphere_light.glsl"
 #include "shading/tile_culling.glsl"
 #include "shading/tonemap.glsl"

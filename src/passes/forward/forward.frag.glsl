@@ -5,6 +5,7 @@
 
 #include "upload/material.glsl"
 #include "upload/light_lists.glsl"
+#include "upload/sun_shadows.glsl"
 
 layout(constant_id = 20) const uint kLights = 1u;   // 0: the scene has none
 
@@ -30,6 +31,12 @@ uint tile_light_word(uint word) {
 // What is transparent is not in the depth that contact shadows are found in.
 float contact_visibility(ShadingPoint p, GpuLight l, vec3 wi) {
   return 1.0;
+}
+
+// Surfaces drawn here are in no map, so that none shadows itself, whichever normal it is lifted along.
+float sun_visibility(ShadingPoint p) {
+  float noise = screen_noise(uvec2(gl_FragCoord.xy), frame.frame_index, frame.seed);
+  return 1.0 - sun_occlusion(p.position_ws, p.surface.normal_ws, noise);
 }
 
 vec3 shade(FragmentInput f, vec3 base_color) {

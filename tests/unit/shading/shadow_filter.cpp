@@ -95,16 +95,20 @@ TEST(ShadowFilter, TapsAreReducedByTheSquareOfThePenumbra) {
   EXPECT_EQ(reduced_tap_count(0.0f, 4), 4u);
 }
 
-TEST(ShadowFilter, TheSearchRunsFromTheMiddleOutwards) {
-  float last = 0.0f;
-  for (std::uint32_t i = 0; i < 16; ++i) {
-    const float radius = search_tap_radius(i, 16, 0.01f, 0.5f);
-    EXPECT_GT(radius, last);
-    last = radius;
+// Half of the taps are spread evenly, so that as many lie beyond sqrt(1/2) of the radius as within; the other half
+// lie within a quarter by half.
+TEST(ShadowFilter, TheSearchLooksAtTheWholeDiscAndMoreAtItsMiddle) {
+  int outer_half = 0, middle = 0;
+  for (std::uint32_t i = 0; i < 32; ++i) {
+    const float radius = search_tap_radius(i, 32, 0.0f, 1.0f);
+    EXPECT_GT(radius, 0.0f);
+    EXPECT_LT(radius, 1.0f);
+    outer_half += i % 2 == 0 && radius > std::sqrt(0.5f) ? 1 : 0;
+    middle += i % 2 == 1 && radius < 0.25f ? 1 : 0;
   }
-  EXPECT_NEAR(search_tap_radius(0, 16, 0.01f, 0.5f), 0.01f, 5e-4f);
-  EXPECT_GT(last, 0.46f);
-  EXPECT_LT(last, 0.5f);
+  EXPECT_EQ(outer_half, 8);
+  EXPECT_EQ(middle, 8);
+  EXPECT_EQ(search_tap_radius(3, 8, 0.25f, 0.25f), 0.25f);
 }
 
 // The penumbra of a half plane at a distance, by search and filter together: its width is linear in the distance.

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "graph/graph.hpp"
+#include "upload/gpu_scene.hpp"
+
+#include <velarium/settings.hpp>
+
+namespace velarium::sun_mask {
+
+struct Inputs {
+  const upload::SceneTables& scene;
+  graph::GraphImage rt0, depth;  // shading/gbuffer.glsl
+  graph::GraphImage cascades;    // of sun_shadows
+};
+
+// A picture of one float: the share of the sun that is hidden, 0 where the surface faces away from it. Precondition:
+// there is a sun that casts shadows.
+[[nodiscard]] graph::GraphImage add(graph::Graph& graph, const Inputs& in,
+                                    const Settings::sun_shadows_settings& settings);
+
+}  // namespace velarium::sun_mask

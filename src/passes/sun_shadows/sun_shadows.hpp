@@ -1,0 +1,63 @@
+#pragma once
+
+#include "graph/graph.hpp"
+#include "passes/sun_shadows/cascade_fit.hpp"
+#include "upload/scene_tables.hpp"
+
+#include <velarium/settings.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace velarium::sun_shadows {
+
+using Settings = velarium::Settings::sun_shadows_settings;
+
+// The maps of the sun of one picture after the other, some of which may be kept (MapUpdate::staggered); none where a
+// picture has no sun that casts shadows, or wants none.
+class Maps {
+ public:
+  // Fits maps to a picture, before its first frame, and fills SceneTables::sun_shadows. Throws Error(usage) where the
+  // device has no images of settings.size.
+  void fit(gpu::Device& device, upload::SceneTables& scene, const upload::ViewMatrices& view, const Settings& settings);
+
+  [[nodiscard]] bool empty() const { return maps_.empty(); }
+  [[nodiscard]] const std::vector<Map>& maps() const { return maps_; }
+  // Is a map to be drawn in the first frame of this picture?
+  [[nodiscard]] bool is_stale(std::size_t map) const { return stale_[map]; }
+  // One layer a map, D32F; of one texel where there are none. Precondition: fit() was called.
+  [[nodiscard]] gpu::Image& depths() { return depths_; }
+  [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
+
+ private:
+  // What all maps of a picture share. Maps of another are of no use.
+  struct Shared {
+    const upload::GpuScene* scene = nullptr;
+    std::size_t casters = 0;
+    glm::dmat3 axes{1.0};
+    int size = 0;
+    std::size_t maps = 0;
+    bool operator==(const Shared&) const = default;
+  };
+  [[nodiscard]] shading::SunShadows fit_all(const upload::SceneTables& scene, const View& view,
+                                            const Settings& settings);
+
+  std::vector<Map> maps_;
+  std::vector<bool> stale_;  // by map
+  Shared shared_;
+  std::uint64_t pictures_ = 0;  // since all maps were drawn
+  glm::dvec3 eye_{0.0};
+  gpu::Image depths_;
+};
+
+struct Inputs {
+  const upload::SceneTables& scene;
+  Maps& maps;
+  bool first = true;  // is this the first frame of the picture? The others read what it drew
+  float slope_bias = 1.0f;
+};
+
+// Draws the maps. Returns their depths.
+[[nodiscard]] graph::GraphImage add(graph::Graph& graph, const Inputs& in);
+
+}  // namespace velarium::sun_shadows
