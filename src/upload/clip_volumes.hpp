@@ -10,8 +10,8 @@
 namespace velarium::upload {
 
 struct ClipVolumeTable {
-  // One record a volume of the scene, in its order: the index of its first plane in this table and how many follow; then
-  // the planes. World axes, relative to the eye: see shading/clip_volume.glsl.
+  // One record a volume of the scene, in its order: the index of its first plane in this table and how many follow;
+  // then the planes. World axes, relative to the eye: see shading/clip_volume.glsl.
   std::vector<glm::vec4> records;
   std::vector<glm::vec4> spheres;  // around each volume: xyz centre, w radius
 };
