@@ -12,7 +12,7 @@ FN vec2 projector_uv(IN(GpuLight) l, vec3 wi) {
   vec3 right = vec3(l.projector.x, l.projector.y, l.projector.z);
   float ahead = -dot(axis, wi) * l.projector.w;
   if (ahead <= 0.0f) return vec2(-1.0f);
-  vec2 place = vec2(-dot(right, wi), dot(cross(right, axis), wi)) / ahead;
+  vec2 place = vec2(-dot(right, wi), -dot(cross(right, axis), wi)) / ahead;
   return vec2(0.5f) + 0.5f * vec2(place.x, -place.y);
 }
 

@@ -96,7 +96,8 @@ vec3 reflected_openly(ShadingPoint p, LightSample light) {
   vec3 brdf = sized
       ? evaluate_brdf_sphere(p.surface, alpha, p.wo, light.wi, light.sine, p.specular_scale, kModel)
       : evaluate_brdf(p.surface, alpha, p.wo, light.wi, p.specular_scale, kModel);
-  return brdf * light.irradiance;
+  // Inside a bulb no direction is that of its light; the path tracer aims at none.
+  return light.sine < 1.0 ? brdf * light.irradiance : vec3(0.0);
 }
 
 // What of a lamp's light goes towards the eye.

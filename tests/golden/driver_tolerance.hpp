@@ -21,6 +21,9 @@ inline constexpr OtherDrivers kOtherDrivers[] = {
      "lavapipe filters 8-bit textures in 8 bits, which shows in the normals of the water and of distant walls (half "
      "of the difference goes when it is told not to), and edges are everywhere"},
     {"atrium_pool", {.max_error = 16, .share = 0.01}, "as atrium"},
+    {"bumpy_metal",
+     {.max_error = 16, .share = 0.02},
+     "fine normals under one lamp: lavapipe filters them in 8 bits, as in atrium"},
     {"wrap_modes",
      {.max_error = 4, .share = 0.015},
      "where a texture repeats there is an edge along a whole row of pixels, and it moves by one of four samples"},

@@ -119,7 +119,8 @@ TEST(Tracer, CamerasSeeThroughBacksThatShadowsKeep) {
   t.lamps = {{.position_range = {0.0f, 3.0f, 0.0f, 0.0f},
               .direction = {0.0f, -1.0f, 0.0f, shading::kLightPoint},
               .color = glm::vec4(100.0f, 100.0f, 100.0f, 0.0f),
-              .cone = {}}};
+              .cone = {},
+              .flags = shading::kLightCastsShadow}};
   t.settings.reference.spp = 2;
   t.settings.reference.max_bounces = 0;
   EXPECT_EQ(t.run().radiance(), 0.0);  // shadowed by a surface that faces away from the shadow ray
