@@ -1,6 +1,8 @@
 #include "frame/timings.hpp"
 
 #include <algorithm>
+#include <span>
+#include <string>
 #include <utility>
 
 namespace velarium::frame {
@@ -12,6 +14,14 @@ double median(std::vector<double> values) {
   std::nth_element(values.begin(), middle, values.end());
   if (values.size() % 2 == 1) return *middle;
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+std::vector<double> times_of(const std::string& name, std::span<const std::vector<graph::PassTiming>> frames) {
+  std::vector<double> times;
+  for (const auto& frame : frames)
+    for (const auto& pass : frame)
+      if (pass.name == name) times.push_back(pass.ms);
+  return times;
 }
 
 }  // namespace
@@ -32,11 +42,12 @@ void Timings::write(RenderReport& report) const {
   }
   report.frame_ms = median(totals);
   report.frames_ms = std::move(totals);
-  for (std::size_t p = 0; p < frames_.front().size(); ++p) {
-    std::vector<double> times;
-    for (std::size_t f = first; f < frames_.size(); ++f) times.push_back(frames_[f][p].ms);
+  for (const auto& pass : frames_.front()) {
+    std::vector<double> times = times_of(pass.name, std::span(frames_).subspan(first));
+    // Maps that all frames share are drawn in the first alone.
+    if (times.empty()) times.push_back(pass.ms);
     const double middle = median(times);
-    report.passes.push_back({frames_.front()[p].name, middle, std::move(times)});
+    report.passes.push_back({pass.name, middle, std::move(times)});
   }
 }
 
