@@ -8,6 +8,7 @@ enum class Sync { normal, paranoid };
 enum class ShadingModel { gltf, ryse, blinn_phong };
 enum class LightingPath { tiled, volumes, all };
 enum class MapUpdate { all, staggered };
+enum class FarSun { off, vsm, static_map };
 enum class DiffuseEnvironment { map, sh };
 enum class ExposureMode { manual, ev100, automatic };
 enum class Tonemap { neutral, agx, aces, linear };

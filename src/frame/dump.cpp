@@ -18,6 +18,8 @@ namespace {
 
 std::size_t texel_bytes(VkFormat format) {
   switch (format) {
+    case VK_FORMAT_D16_UNORM:
+      return 2;
     case VK_FORMAT_R8G8B8A8_UNORM:
     case VK_FORMAT_R8G8B8A8_SRGB:
     case VK_FORMAT_R32_SFLOAT:
@@ -37,6 +39,11 @@ void widen(VkFormat format, const std::byte* texel, float* out) {
   if (format == VK_FORMAT_D32_SFLOAT_S8_UINT || format == VK_FORMAT_D32_SFLOAT || format == VK_FORMAT_R32_SFLOAT) {
     std::memcpy(out, texel, sizeof(float));
     out[1] = out[2] = out[0];
+    out[3] = 1.0f;
+  } else if (format == VK_FORMAT_D16_UNORM) {
+    std::uint16_t depth = 0;
+    std::memcpy(&depth, texel, sizeof(depth));
+    out[0] = out[1] = out[2] = static_cast<float>(depth) / 65535.0f;
     out[3] = 1.0f;
   } else if (format == VK_FORMAT_R16G16B16A16_SFLOAT) {
     std::uint64_t packed = 0;

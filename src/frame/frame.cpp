@@ -19,14 +19,17 @@ graph::GraphImage add_frame(graph::Graph& g, const FrameInputs& in) {
   const auto atlas = local_shadows::add(g, {in.scene, in.local_shadows, in.first}, in.settings.local_shadows);
   const auto& sun_settings = in.settings.sun_shadows;
   const auto cascades = sun_shadows::add(g, {in.scene, in.sun_maps, in.first, sun_settings.slope_bias});
+  const auto far = far_shadows::add(g, {in.scene, in.far_map, in.first, sun_settings.slope_bias});
   graph::GraphImage sun_mask;
-  if (!in.sun_maps.empty()) sun_mask = sun_mask::add(g, {in.scene, surface.rt0, surface.depth, cascades}, sun_settings);
+  if (!in.sun_maps.empty())
+    sun_mask = sun_mask::add(g, {in.scene, surface.rt0, surface.depth, cascades, far}, sun_settings);
   const passes::ShadingInputs shading{.scene = in.scene,
                                       .environment = in.environment,
                                       .settings = in.settings,
                                       .no_map = in.no_map,
                                       .shadow_atlas = atlas,
                                       .sun_cascades = cascades,
+                                      .sun_far = far,
                                       .sun_mask = sun_mask};
   graph::GraphImage lamps;
   if (in.settings.lighting.path == LightingPath::volumes) lamps = light_volumes::add(g, {shading, surface});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "graph/graph.hpp"
+#include "passes/far_shadows/far_shadows.hpp"
 #include "passes/local_shadows/local_shadows.hpp"
 #include "passes/shading_inputs.hpp"
 #include "passes/sun_shadows/sun_shadows.hpp"
@@ -20,6 +21,7 @@ struct FrameInputs {
   const gpu::Image& no_map;  // of depth, where a map is missing
   local_shadows::Maps& local_shadows;
   sun_shadows::Maps& sun_maps;
+  far_shadows::Map& far_map;
   gpu::Image& sum;    // rgba32f: of the frames of this picture so far
   bool first = true;  // does this frame start the sum?
   std::uint32_t width = 0, height = 0;

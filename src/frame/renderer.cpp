@@ -54,9 +54,10 @@ gpu::Image make_no_map(gpu::Device& device) {
 
 void note_lights_without_map(std::uint32_t lights, RenderReport& report) {
   if (lights > 0)
-    report.notes.push_back(fmt::format("{} lights cast no shadow: local_shadows.atlas has no room for their maps, or "
-                                       "local_shadows.updates no time",
-                                       lights));
+    report.notes.push_back(
+        fmt::format("{} lights cast no shadow: local_shadows.atlas has no room for their maps, or "
+                    "local_shadows.updates no time",
+                    lights));
 }
 
 std::optional<std::array<float, 3>> background_color(const RenderRequest& request) {
@@ -106,18 +107,18 @@ RenderResult Renderer::render(const Job& job) {
   const auto& request = job.request;
   check_request(request, tools_.device.caps().max_image_size);
   if (request.settings.lighting.path == LightingPath::volumes && !tools_.device.caps().blends_float32)
-    throw Error(ErrorCode::unsupported,
-                "this device cannot blend 32-bit floats, in which lighting.path=volumes adds light; lighting.path=tiled "
-                "gives the same picture");
+    throw Error(
+        ErrorCode::unsupported,
+        "this device cannot blend 32-bit floats, in which lighting.path=volumes adds light; lighting.path=tiled "
+        "gives the same picture");
   const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
   const auto view = upload::view_matrices(job.camera, aspect);
   auto scene = upload::make_scene_tables(tools_.device, job.scene, job.moment, view);
   scene.texture_lod_bias = -std::min(0.5f * std::log2(static_cast<float>(request.settings.frame.spp)), kMaxSharpening);
 
-  const auto unshadowed = local_shadows::prepare(local_shadows_, tools_.device, scene,
-                                                 {view, {request.width, request.height}},
-                                                 request.settings.local_shadows);
-  sun_maps_.fit(tools_.device, scene, view, request.settings.sun_shadows);
+  const auto unshadowed = local_shadows::prepare(
+      local_shadows_, tools_.device, scene, {view, {request.width, request.height}}, request.settings.local_shadows);
+  fit_sun_maps(scene, view, request.settings.sun_shadows);
 
   const gpu::ImageDesc sum_desc{VK_FORMAT_R32G32B32A32_SFLOAT, request.width, request.height};
   if (!sum_ || sum_.desc() != sum_desc)
@@ -136,6 +137,7 @@ RenderResult Renderer::render(const Job& job) {
                            .no_map = no_map_,
                            .local_shadows = local_shadows_,
                            .sun_maps = sun_maps_,
+                           .far_map = far_map_,
                            .sum = sum_,
                            .width = request.width,
                            .height = request.height,
@@ -148,6 +150,14 @@ RenderResult Renderer::render(const Job& job) {
   result.report.device_bytes = tools_.device.memory().peak_bytes();
   result.report.device = tools_.device.info().name;
   return result;
+}
+
+void Renderer::fit_sun_maps(upload::SceneTables& scene, const upload::ViewMatrices& view,
+                            const Settings::sun_shadows_settings& settings) {
+  sun_maps_.fit(tools_.device, scene, view, settings);
+  far_map_.fit(tools_.device, scene, view.eye, !sun_maps_.empty() && !sun_maps_.hold_scene(), settings);
+  scene.sun_shadows =
+      upload::make_buffer(tools_.device, std::vector{scene.host_sun_shadows}, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
 }
 
 void Renderer::run_frames(const Job& job, const FrameInputs& inputs, upload::FrameUniforms uniforms,

@@ -35,6 +35,8 @@ class Renderer {
  private:
   void run_frames(const Job& job, const FrameInputs& inputs, upload::FrameUniforms uniforms,
                   const upload::ViewMatrices& view, RenderReport& report);
+  void fit_sun_maps(upload::SceneTables& scene, const upload::ViewMatrices& view,
+                    const Settings::sun_shadows_settings& settings);
   void read_picture(const Job& job, RenderResult& result);
   [[nodiscard]] const gpu::Image& brdf_table(ShadingModel model);
 
@@ -43,6 +45,7 @@ class Renderer {
   gpu::Image normal_lengths_, black_, black_cube_, no_map_;
   gpu::Image brdf_tables_[2];  // by shading::environment_model(), made when first asked for
   sun_shadows::Maps sun_maps_;
+  far_shadows::Map far_map_;
   gpu::Image sum_;
   local_shadows::Maps local_shadows_;
 };

@@ -36,6 +36,7 @@ void bind_local_shadows(graph::SetWriter& set, const ShadingInputs& in) {
 // The mask for opaque surfaces, and for transparent ones the cascades: upload/sun_shadows.glsl.
 void bind_sun_shadows(graph::SetWriter& set, const ShadingInputs& in) {
   set.sampled(9, in.sun_cascades).sampled(10, in.sun_cascades, {.compare = true}).buffer(11, in.scene.sun_shadows);
+  bind(set, in.sun_far, in.sun_cascades);
   if (in.sun_mask.version != 0)
     set.sampled(8, in.sun_mask, kNearest);
   else
@@ -58,12 +59,13 @@ gpu::Specialization shading_constants(const ShadingInputs& in) {
   constants[9] = in.scene.clip_volumes ? 1u : 0u;
   set_contact_shadows(in.settings.contact_shadows, constants);
   constants[6] = in.sun_mask.version != 0 ? 1u : 0u;
+  constants[15] = static_cast<std::uint32_t>(in.sun_far.kind);
   constants[13] = static_cast<std::uint32_t>(in.settings.sun_shadows.taps);
   return constants;
 }
 
 void read(graph::Pass& pass, const ShadingInputs& in, graph::Access access) {
-  for (const auto image : {in.shadow_atlas, in.sun_cascades, in.sun_mask})
+  for (const auto image : {in.shadow_atlas, in.sun_cascades, in.sun_far.image, in.sun_mask})
     if (image.version != 0) pass.read(image, access);
 }
 

@@ -3,10 +3,7 @@
 // What passes that shade by upload/frame_lighting.glsl have in common: what it reads in descriptor set 1, and how it is
 // specialised. A technique that shades through that file adds its images here, and none of those passes changes.
 
-#include "graph/context.hpp"
-#include "upload/gpu_scene.hpp"
-
-#include <velarium/settings.hpp>
+#include "passes/sun_map.hpp"
 
 namespace velarium::passes {
 
@@ -28,6 +25,7 @@ struct ShadingInputs {
   const gpu::Image& no_map;        // of depth: bound, and never read, where a map is missing
   graph::GraphImage shadow_atlas;  // depth of point and spot lights' views
   graph::GraphImage sun_cascades;  // depth, a layer a cascade; always there, of one texel where there is no sun
+  FarSunMap sun_far;               // beyond the cascades
   graph::GraphImage sun_mask;      // of opaque surfaces: what share of the sun is hidden
 };
 

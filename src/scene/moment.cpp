@@ -177,6 +177,21 @@ class MomentBuilder {
 
 }  // namespace
 
+std::vector<bool> moving_nodes(const Scene& scene) {
+  std::vector<bool> moving(scene.nodes.size(), false);
+  std::vector<std::uint32_t> pending;
+  for (const auto& animation : scene.animations)
+    for (const auto& channel : animation.channels) pending.push_back(channel.node);
+  while (!pending.empty()) {
+    const std::uint32_t i = pending.back();
+    pending.pop_back();
+    if (moving[i]) continue;
+    moving[i] = true;
+    pending.insert(pending.end(), scene.nodes[i].children.begin(), scene.nodes[i].children.end());
+  }
+  return moving;
+}
+
 Moment moment_at(const Scene& scene, float time_s, const std::string& animation) {
   return MomentBuilder(scene, poses_at(scene, time_s, animation)).build();
 }

@@ -42,6 +42,9 @@ struct Moment {
 // Throws Error(usage) where no animation has that name, listing those there are.
 [[nodiscard]] Moment moment_at(const Scene& scene, float time_s, const std::string& animation);
 
+// By node: does any animation move it, or one that it hangs on? Skins and morph targets are not asked: Instance::deformed.
+[[nodiscard]] std::vector<bool> moving_nodes(const Scene& scene);
+
 // A camera at `eye`. Throws Error(usage) where eye and target coincide or `up` is parallel to the view.
 [[nodiscard]] CameraInstance look_at_camera(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up,
                                             float vertical_fov_rad);

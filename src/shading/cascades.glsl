@@ -16,7 +16,8 @@ const float kCascadeBlend = 0.1f;
 struct Cascade {
   vec4 place;   // uv = x xy_ls + (y, z); w: what filters need around a point, uv
   vec4 depth;   // depth = x z_ls + y; z: 1 / x, the metres that the depths span; w: side of a texel, metres
-  vec4 soft;    // x: radius of the widest penumbra, uv; y: distance of the blockers that cast it, metres; z: texel, uv
+  vec4 soft;    // x: radius of the widest penumbra, uv; y: distance of the blockers that cast it, metres; z: texel, uv;
+                // w: the least distance that stored depths tell apart, metres, where they are coarse; else 0
 };
 
 // All that a shader knows of the sun's maps.
@@ -25,10 +26,12 @@ struct SunShadows {
   vec4 axis_y;          // xyz: unit
   vec4 axis_z;          // xyz: unit, towards the sun; w: normal offset, texels
   Cascade cascades[6];  // kMaxCascades, near to far; GLSL 4.60 and C++ agree on a literal only
+  Cascade beyond;       // one of the whole scene, for points that no other holds; upload/far_shadows.glsl
   uint cascade_count;
 };
 CHECK_LAYOUT(SunShadows, cascades, 48);
-CHECK_LAYOUT(SunShadows, cascade_count, 336);
+CHECK_LAYOUT(SunShadows, beyond, 336);
+CHECK_LAYOUT(SunShadows, cascade_count, 384);
 
 FN vec3 to_light_space(IN(SunShadows) sun, vec3 v) {
   return vec3(dot(vec3(sun.axis_x.x, sun.axis_x.y, sun.axis_x.z), v),

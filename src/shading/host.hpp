@@ -83,5 +83,6 @@ using glm::sqrt;
 #include "shading/tile_culling.glsl"
 #include "shading/tonemap.glsl"
 #include "shading/translucency.glsl"
+#include "shading/variance_shadow.glsl"
 
 }  // namespace velarium::shading

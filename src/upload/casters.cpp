@@ -38,6 +38,10 @@ CasterKind kind_of(scene::AlphaMode mode) {
   return CasterKind::opaque;
 }
 
+bool is_chosen(const Caster& caster, CasterChoice choice) {
+  return choice == CasterChoice::all || !caster.moves;
+}
+
 auto state_of(const Draw& draw) {
   return std::tuple(draw.primitive, draw.deformed, draw.material, draw.mirrored);
 }
@@ -83,6 +87,7 @@ struct Binder {
 }  // namespace
 
 CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& eye) {
+  const auto moving = scene::moving_nodes(scene);
   std::vector<std::pair<Caster, const scene::Instance*>> sorted;
   for (const auto& instance : moment.instances) {
     const auto& primitive = scene.primitives[instance.primitive];
@@ -93,7 +98,8 @@ CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment,
                         .deformed = instance.deformed,
                         .material = material_index(scene, primitive.material),
                         .mirrored = instance.mirrored},
-                       kind_of(material.alpha_mode)},
+                       kind_of(material.alpha_mode),
+                       instance.deformed != scene::kNone || moving[instance.node]},
                       &instance});
   }
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
@@ -108,10 +114,18 @@ CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment,
   return table;
 }
 
-std::vector<Draw> visible_casters(const CasterTable& table, CasterKind kind, std::span<const glm::dvec4> planes) {
+scene::Aabb bounds_of(const CasterTable& table, CasterChoice choice) {
+  scene::Aabb bounds;
+  for (const auto& caster : table.casters)
+    if (is_chosen(caster, choice)) bounds.add(caster.bounds);
+  return bounds;
+}
+
+std::vector<Draw> visible_casters(const CasterTable& table, CasterKind kind, std::span<const glm::dvec4> planes,
+                                  CasterChoice choice) {
   std::vector<Draw> draws;
   for (const auto& caster : table.casters) {
-    if (caster.kind != kind || !overlaps(planes, caster.bounds)) continue;
+    if (caster.kind != kind || !is_chosen(caster, choice) || !overlaps(planes, caster.bounds)) continue;
     const bool joins = !draws.empty() && state_of(draws.back()) == state_of(caster.draw) &&
                        draws.back().first_object + draws.back().object_count == caster.draw.first_object;
     if (joins)

@@ -17,7 +17,10 @@ struct Caster {
   scene::Aabb bounds;  // world space
   Draw draw;           // of this instance alone
   CasterKind kind = CasterKind::opaque;
+  bool moves = false;  // may it stand or look otherwise at another time?
 };
+
+enum class CasterChoice : std::uint8_t { all, still };  // still: those that never move
 
 // All triangles of a moment, wherever the camera looks. Instances of one state stand beside each other, so that those
 // that a map sees are few draws.
@@ -28,9 +31,13 @@ struct CasterTable {
 
 [[nodiscard]] CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& eye);
 
+// World space; empty where there are none.
+[[nodiscard]] scene::Aabb bounds_of(const CasterTable& table, CasterChoice choice = CasterChoice::all);
+
 // Those of one kind whose bounds overlap a convex volume. planes: world space, as those of a Frustum.
 [[nodiscard]] std::vector<Draw> visible_casters(const CasterTable& table, CasterKind kind,
-                                                std::span<const glm::dvec4> planes);
+                                                std::span<const glm::dvec4> planes,
+                                                CasterChoice choice = CasterChoice::all);
 
 // How casters are drawn.
 struct CasterView {
@@ -40,8 +47,9 @@ struct CasterView {
 };
 
 // Draws casters of one kind, between begin_rendering() and end_rendering(): opaque ones and cutouts into depth alone,
-// translucent ones into a colour target with Blend::veil, cleared to (1, 1, 1, 0): rgb becomes what passes them all, a the
-// depth of the one nearest to the light. Their state does not write depth, so that what opaque casters hide dyes nothing.
+// translucent ones into a colour target with Blend::veil, cleared to (1, 1, 1, 0): rgb becomes what passes them all, a
+// the depth of the one nearest to the light. Their state does not write depth, so that what opaque casters hide dyes
+// nothing.
 void draw_casters(gpu::Toolbox& tools, VkCommandBuffer commands, const SceneTables& scene, std::span<const Draw> draws,
                   CasterKind kind, const CasterView& view);
 

@@ -66,7 +66,8 @@ struct SceneTables {
   gpu::Buffer clip_volumes;  // ClipVolumeTable; null where no light ends at a volume
   LightRanges light_ranges;
   gpu::Buffer shadow_views;  // ShadowView, of point and spot lights; null where none has a map
-  gpu::Buffer sun_shadows;   // shading::SunShadows, of no cascade where no sun casts shadows
+  shading::SunShadows host_sun_shadows{};  // of no cascade where no sun casts shadows
+  gpu::Buffer sun_shadows;                 // the same
   gpu::Buffer frame;         // FrameUniforms, mapped: rewritten before each frame
   float texture_lod_bias = 0.0f;
   float anisotropy = 1.0f;

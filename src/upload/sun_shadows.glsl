@@ -34,13 +34,13 @@ uint search_taps(Cascade c) {
   return is_sharp(c) ? kMinShadowTaps : kShadowTaps / 2u;
 }
 
-Blockers find_blockers(Cascade c, float layer, vec3 place, vec2 direction) {
+Blockers find_blockers(sampler2DArray depths, Cascade c, float layer, vec3 place, vec2 direction) {
   uint taps = search_taps(c);
   Blockers found = Blockers(0u, 0u, 0.0);
   uint i = 0u;
   do {
     float radius = search_tap_radius(i, taps, min(c.soft.z, c.soft.x), c.soft.x);
-    float stored = textureLod(sun_depths, vec3(place.xy + direction * radius, layer), 0.0).r;
+    float stored = textureLod(depths, vec3(place.xy + direction * radius, layer), 0.0).r;
     float distance = (stored - place.z) * c.depth.z;
     float cone = c.soft.x * penumbra_ratio_distant(distance, c.soft.y);
     if (distance > 0.0) ++found.nearer;
@@ -55,8 +55,9 @@ Blockers find_blockers(Cascade c, float layer, vec3 place, vec2 direction) {
 }
 
 // The share of the sun that is hidden. place: cascade_place() of the point. direction: of the first tap.
-float cascade_occlusion(Cascade c, float layer, vec3 place, vec2 direction) {
-  Blockers found = find_blockers(c, layer, place, direction);
+float map_occlusion(sampler2DArray depths, sampler2DArrayShadow comparison, Cascade c, float layer, vec3 place,
+                    vec2 direction) {
+  Blockers found = find_blockers(depths, c, layer, place, direction);
   if (found.hiding == 0u) return 0.0;
   if (found.nearer == search_taps(c)) return 1.0;
   float least = min(kLeastKernel * c.soft.z / c.soft.x, 1.0);
@@ -68,20 +69,29 @@ float cascade_occlusion(Cascade c, float layer, vec3 place, vec2 direction) {
   do {
     float radius = disc_tap_radius(i, kShadowTaps) * scale;
     float clearance = tap_clearance(radius / (rho * c.soft.x), found.distance) * c.depth.x;
-    lit += texture(sun_comparison, vec4(place.xy + direction * radius, layer, place.z + clearance));
+    lit += texture(comparison, vec4(place.xy + direction * radius, layer, place.z + clearance));
     direction = next_tap_direction(direction);
   } while (++i < taps);
   return 1.0 - lit / float(taps);
 }
 
-// The finest map that holds the point, or, towards its border, the next one by noise; sun.cascade_count where none does.
+// Where to look a point up. p, n: of light space, the place and the geometric normal.
+vec3 lifted_place(Cascade c, vec3 p, vec3 n) {
+  float offset = shadow_normal_offset(n.z, sun.axis_z.w, c.depth.w);
+  return cascade_place(c, p + n * offset + vec3(0.0, 0.0, kDepthLift * c.depth.w + c.soft.w));
+}
+
+#include "upload/far_shadows.glsl"
+
+// The finest map that holds the point, or, towards its border, the next one by noise; sun.cascade_count where none does,
+// and by noise where there is a far map beyond the last.
 // Loops here have one way out, at their end: drivers that run pixels in lockstep lose track of others.
 uint choose_cascade(vec3 p_ls, float noise) {
   uint chosen = sun.cascade_count;
   for (uint i = sun.cascade_count; i > 0u; --i) {
     Cascade c = sun.cascades[i - 1u];
     float weight = cascade_weight(c, cascade_place(c, p_ls));
-    bool last = i == sun.cascade_count;
+    bool last = i == sun.cascade_count && kFarSun == kFarNone;
     if (last ? weight > 0.0 : weight > noise) chosen = i - 1u;
   }
   return chosen;
@@ -90,13 +100,11 @@ uint choose_cascade(vec3 p_ls, float noise) {
 // position: world axes, relative to the eye; normal: geometric, unit, of the lit side; noise: in [0, 1).
 float sun_occlusion(vec3 position, vec3 normal, float noise) {
   vec3 p = to_light_space(sun, position);
-  uint chosen = choose_cascade(p, noise);
-  if (chosen == sun.cascade_count) return 0.0;
-  Cascade c = sun.cascades[chosen];
   vec3 n = to_light_space(sun, normal);
-  float offset = shadow_normal_offset(n.z, sun.axis_z.w, c.depth.w);
-  vec3 lifted = p + n * offset + vec3(0.0, 0.0, kDepthLift * c.depth.w);
-  return cascade_occlusion(c, float(chosen), cascade_place(c, lifted), first_tap_direction(noise));
+  uint chosen = choose_cascade(p, noise);
+  if (chosen == sun.cascade_count) return far_occlusion(p, n, noise);
+  Cascade c = sun.cascades[chosen];
+  return map_occlusion(sun_depths, sun_comparison, c, float(chosen), lifted_place(c, p, n), first_tap_direction(noise));
 }
 
 #endif

@@ -16,6 +16,7 @@ constexpr VkFormat kFormat = VK_FORMAT_R32_SFLOAT;
 constexpr std::uint32_t kGroup = 8;
 
 constexpr std::size_t kTapsConstant = 13;  // upload/shadow_taps.glsl
+constexpr std::size_t kFarConstant = 15;   // upload/far_shadows.glsl
 
 constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST};
 
@@ -24,12 +25,14 @@ constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_N
 graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings::sun_shadows_settings& settings) {
   auto& pass = graph.pass("sun_mask");
   for (const auto image : {in.rt0, in.depth, in.cascades}) pass.read(image, Access::compute_sample);
+  if (in.far.image.version != 0) pass.read(in.far.image, Access::compute_sample);
   const auto& size = graph.desc(in.depth);
   const auto occlusion =
       pass.write(graph.image("occlusion", {.format = kFormat, .width = size.width, .height = size.height}),
                  Access::compute_storage);
-  gpu::Specialization constants(kTapsConstant + 1);
+  gpu::Specialization constants(kFarConstant + 1);
   constants[kTapsConstant] = static_cast<std::uint32_t>(settings.taps);
+  constants[kFarConstant] = static_cast<std::uint32_t>(in.far.kind);
   pass.run([in, occlusion, constants, width = size.width, height = size.height](graph::Context& c) {
     const auto& pipeline = c.tools().pipelines.compute(kShader, constants);
     c.bind(pipeline);
@@ -39,11 +42,10 @@ graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings::sun
         .sampled(4, in.depth)
         .storage(6, occlusion)
         .bind();
-    c.set(pipeline, 1)
-        .sampled(9, in.cascades)
-        .sampled(10, in.cascades, {.compare = true})
-        .buffer(11, in.scene.sun_shadows)
-        .bind();
+    auto set = c.set(pipeline, 1);
+    set.sampled(9, in.cascades).sampled(10, in.cascades, {.compare = true}).buffer(11, in.scene.sun_shadows);
+    passes::bind(set, in.far, in.cascades);
+    set.bind();
     c.dispatch(width, height, kGroup, kGroup);
   });
   return occlusion;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "graph/graph.hpp"
-#include "upload/gpu_scene.hpp"
+#include "passes/sun_map.hpp"
 
 #include <velarium/settings.hpp>
 
@@ -11,6 +10,7 @@ struct Inputs {
   const upload::SceneTables& scene;
   graph::GraphImage rt0, depth;  // shading/gbuffer.glsl
   graph::GraphImage cascades;    // of sun_shadows
+  passes::FarSunMap far;         // of far_shadows
 };
 
 // A picture of one float: the share of the sun that is hidden, 0 where the surface faces away from it. Precondition:

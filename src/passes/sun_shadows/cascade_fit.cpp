@@ -16,8 +16,6 @@ constexpr double kStepsAnOctave = 4.0;
 constexpr double kSmallestScene = 1e-6;  // metres
 // Of what ends before it begins, for `longest` is nearer, something is left.
 constexpr double kNearestShare = 0.5;
-// Filters look at texels beside the one that they are centred on.
-constexpr double kGuardTexels = 2.0;
 // Space before and behind what a map sees, as a share of it, so that rounding cuts nothing off.
 constexpr double kDepthGuard = 1e-3;
 
@@ -74,27 +72,19 @@ DepthRange visible_depths(const View& view, const Sphere& scene, double longest)
   return {near > kDepthRatio * far ? step_down(near) : 0.0, far};
 }
 
-glm::dmat3 light_axes(const glm::dvec3& to_sun) {
-  // Any vector that is not parallel would do; the same one for all directions about it keeps maps from turning.
-  const glm::dvec3 up = std::abs(to_sun.y) < 0.99 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
-  const glm::dvec3 right = glm::normalize(glm::cross(up, to_sun));
-  const glm::dvec3 down = glm::cross(right, to_sun);
-  return glm::transpose(glm::dmat3(right, down, to_sun));
-}
-
 Map fit_map(const glm::dmat3& axes, const Sphere& sphere, const MapLimits& limits) {
   Map map{.axes = axes, .size = limits.size};
   const double inner = 2.0 * (sphere.radius + limits.margin);
   // More by what the snapping moves the map.
-  map.side = inner * limits.size / (limits.size - 2.0 * kGuardTexels - 2.0);
+  map.side = inner * limits.size / (limits.size - 2.0 * passes::kGuardTexels - 2.0);
   const glm::dvec3 center = axes * sphere.center;
   const double texel = map.texel();
   map.corner = glm::floor((glm::dvec2(center) - 0.5 * map.side) / texel) * texel;
   // The sphere may stand before or behind all that there is, which then is what the map sees of it.
-  const double front = std::clamp(center.z + sphere.radius, limits.scene_low.z, limits.scene_high.z);
-  map.z_near = std::min(limits.scene_high.z, front + limits.reach);
+  const double front = std::clamp(center.z + sphere.radius, limits.scene.low.z, limits.scene.high.z);
+  map.z_near = std::min(limits.scene.high.z, front + limits.reach);
   // At the end of the scene no other map takes over: the map goes on by as much as that would need.
-  const double end = limits.scene_low.z - 0.5 * static_cast<double>(shading::kCascadeBlend) * map.side;
+  const double end = limits.scene.low.z - 0.5 * static_cast<double>(shading::kCascadeBlend) * map.side;
   map.z_far = std::min(std::max(end, center.z - sphere.radius), map.z_near);
   const double guard = kDepthGuard * (map.z_near - map.z_far + sphere.radius);
   map.z_near += guard;
@@ -114,34 +104,6 @@ bool is_due(std::size_t map, std::uint64_t picture) {
   if (map < 2) return true;
   const std::uint64_t period = std::uint64_t{1} << (map - 1);
   return picture % period == period / 2 - 1;
-}
-
-glm::mat4 clip_from_world(const Map& map, const glm::dvec3& eye) {
-  const glm::dvec3 at_eye = map.axes * eye;
-  const double scale = 2.0 / map.side, depth_scale = 1.0 / (map.z_near - map.z_far);
-  const glm::dmat3 rows = glm::transpose(map.axes);
-  const glm::dvec3 offset((at_eye.x - map.corner.x) * scale - 1.0, (at_eye.y - map.corner.y) * scale - 1.0,
-                          (at_eye.z - map.z_far) * depth_scale);
-  const glm::dmat4 transposed(glm::dvec4(rows[0] * scale, offset.x), glm::dvec4(rows[1] * scale, offset.y),
-                              glm::dvec4(rows[2] * depth_scale, offset.z), glm::dvec4(0.0, 0.0, 0.0, 1.0));
-  return glm::mat4(glm::transpose(transposed));
-}
-
-std::vector<glm::dvec4> caster_planes(const Map& map) {
-  const glm::dmat3 rows = glm::transpose(map.axes);
-  const glm::dvec2 end = map.corner + map.side;
-  return {
-      {rows[0], -map.corner.x}, {-rows[0], end.x}, {rows[1], -map.corner.y}, {-rows[1], end.y}, {rows[2], -map.z_far}};
-}
-
-shading::Cascade gpu_cascade(const Map& map, const glm::dvec3& eye, const Penumbra& widest) {
-  const glm::dvec3 at_eye = map.axes * eye;
-  const double span = map.z_near - map.z_far, texel = map.texel();
-  return {
-      .place = glm::dvec4(1.0, at_eye.x - map.corner.x, at_eye.y - map.corner.y, widest.radius + kGuardTexels * texel) /
-               map.side,
-      .depth = glm::dvec4(1.0 / span, (at_eye.z - map.z_far) / span, span, texel),
-      .soft = {std::max(widest.radius, texel) / map.side, widest.distance, texel / map.side, 0.0}};
 }
 
 }  // namespace velarium::sun_shadows

@@ -3,14 +3,8 @@
 // Where the maps of the sun lie: which part of the view each serves, and the box of the world that it sees. All in
 // double precision, so that texels stay where they are in the world wherever the viewer stands.
 
-#include "shading/host.hpp"
+#include "passes/sun_map.hpp"
 
-#include <glm/mat3x3.hpp>
-#include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-
-#include <span>
 #include <vector>
 
 namespace velarium::sun_shadows {
@@ -44,26 +38,14 @@ struct DepthRange {
 inline constexpr double kDepthRatio = 0.01;
 [[nodiscard]] DepthRange visible_depths(const View& view, const Sphere& scene, double longest);
 
-// From the world's axes to light space (shading/cascades.glsl), its origin at the world's: to the right, down, towards
-// the sun. They follow from the direction (unit) alone, so they never turn with the viewer.
-[[nodiscard]] glm::dmat3 light_axes(const glm::dvec3& to_sun);
-
-// A map: a square of the world seen from the sun.
-struct Map {
-  glm::dmat3 axes{1.0};              // light space = axes * world
-  glm::dvec2 corner{0.0};            // light space: where u = v = 0; a whole number of texels from the origin
-  double side = 1.0;                 // metres
-  double z_near = 1.0, z_far = 0.0;  // light space: depth 1, depth 0
-  int size = 1;                      // texels a side
-  [[nodiscard]] double texel() const { return side / size; }
-};
+using Map = passes::SunMap;
 
 // What limits a map besides the sphere that it serves.
 struct MapLimits {
-  glm::dvec3 scene_low{0.0}, scene_high{0.0};  // light space: the bounds of all casters
-  double margin = 0.0;                         // metres: the widest filter
-  double reach = 0.0;  // metres towards the sun from which casters are drawn as they stand; others are clamped
-  int size = 1;        // texels
+  passes::LightBox scene;  // the bounds of all casters
+  double margin = 0.0;     // metres: the widest filter
+  double reach = 0.0;      // metres towards the sun from which casters are drawn as they stand; others are clamped
+  int size = 1;            // texels
 };
 
 // A map of the sphere's surroundings, its corner on whole texels.
@@ -75,20 +57,5 @@ struct MapLimits {
 // Is map i of a view that moves drawn for this picture, if nothing else asks for it? The first two always are; of the
 // others, which change less the farther they are, one a picture at most [Crytek 2011].
 [[nodiscard]] bool is_due(std::size_t map, std::uint64_t picture);
-
-// To clip space, from the world's axes with their origin at `eye`.
-[[nodiscard]] glm::mat4 clip_from_world(const Map& map, const glm::dvec3& eye);
-
-// World-space planes, as an upload::Frustum's, of all casters that the map can see: the four sides and the far end.
-// What stands towards the sun is never refused.
-[[nodiscard]] std::vector<glm::dvec4> caster_planes(const Map& map);
-
-// The widest penumbra of a map: a blocker that far towards the sun softens its edge over that radius.
-struct Penumbra {
-  double radius = 0.0, distance = 1.0;  // metres
-};
-
-// As shaders read it.
-[[nodiscard]] shading::Cascade gpu_cascade(const Map& map, const glm::dvec3& eye, const Penumbra& widest);
 
 }  // namespace velarium::sun_shadows

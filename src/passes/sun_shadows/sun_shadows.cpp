@@ -1,7 +1,6 @@
 #include "passes/sun_shadows/sun_shadows.hpp"
 
 #include "graph/context.hpp"
-#include "upload/transfer.hpp"
 
 #include <velarium/error.hpp>
 
@@ -11,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace velarium::sun_shadows {
 namespace {
@@ -20,10 +18,6 @@ using graph::Access;
 
 constexpr VkFormat kFormat = VK_FORMAT_D32_SFLOAT;
 
-// A penumbra is no wider than this share of the radius of what its map serves, or the map would serve little else.
-constexpr double kWidestPenumbra = 0.5;
-// Of the way that blockers may be distant on, metres: more than nothing, as it is divided by.
-constexpr double kShortestReach = 1e-6;
 // Maps that are kept are larger than what they serve, so that a view that moves stays inside for a while.
 constexpr double kRoom = 1.1;
 
@@ -35,79 +29,62 @@ View fit_view(const upload::ViewMatrices& view) {
           .perspective = projection[3][3] == 0.0f};
 }
 
-scene::Aabb bounds_of(const upload::CasterTable& table) {
-  scene::Aabb bounds;
-  for (const auto& caster : table.casters) bounds.add(caster.bounds);
-  return bounds;
-}
-
 Sphere sphere_around(const scene::Aabb& bounds) {
   const glm::dvec3 low(bounds.min), high(bounds.max);
   return {0.5 * (low + high), 0.5 * glm::length(high - low)};
 }
 
-// The extent of a box in light space along each axis.
-void set_extent(const scene::Aabb& bounds, const glm::dmat3& axes, MapLimits& limits) {
-  limits.scene_low = glm::dvec3(std::numeric_limits<double>::infinity());
-  limits.scene_high = -limits.scene_low;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 at((corner & 1) != 0 ? bounds.max.x : bounds.min.x,
-                        (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
-                        (corner & 4) != 0 ? bounds.max.z : bounds.min.z);
-    limits.scene_low = glm::min(limits.scene_low, axes * at);
-    limits.scene_high = glm::max(limits.scene_high, axes * at);
-  }
-}
+// How many maps the static map replaces, the last ones [Schulz 2014, Ryse: the fourth and the fifth].
+constexpr std::size_t kReplacedMaps = 2;
 
-// What maps serve, near to far: a slice of the view each. The whole scene is enough for the last of them, and for all
-// where it is smaller than a slice.
-std::vector<Sphere> served_spheres(const View& view, const Sphere& scene, const Settings& settings) {
+// What maps serve, near to far: a slice of the view each.
+struct Served {
+  std::vector<Sphere> spheres;
+  bool whole = false;  // is every surface of the scene that can be seen in one of them?
+};
+
+// The whole scene is enough for the last of them, and for all where it is smaller than a slice.
+Served served_spheres(const View& view, const Sphere& scene, const Settings& settings) {
   const auto range = visible_depths(view, scene, static_cast<double>(settings.distance));
   auto depths = split_depths({std::max(range.near, kDepthRatio * range.far), range.far}, settings.cascades,
                              static_cast<double>(settings.split));
   depths.front() = range.near;
-  std::vector<Sphere> spheres;
+  Served served{.whole = range.far >= visible_depths(view, scene, 0.0).far};
   for (int i = 0; i < settings.cascades; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const Sphere slice = slice_sphere(view, {depths[at], depths[at + 1]});
     if (slice.radius >= scene.radius) {
-      spheres.push_back(scene);
+      served.spheres.push_back(scene);
+      served.whole = true;
       break;
     }
-    spheres.push_back(slice);
+    served.spheres.push_back(slice);
   }
-  return spheres;
+  return served;
 }
 
-// Sine to tangent.
-double tangent_of(float sine) {
-  const double s = std::clamp(static_cast<double>(sine), 0.0, 0.99);
-  return s / std::sqrt(1.0 - s * s);
-}
-
-void draw_map(graph::Context& c, const upload::SceneTables& scene, const Map& map, const glm::dvec3& eye) {
-  const upload::CasterView view{.clip_from_world = clip_from_world(map, eye),
-                                .state = {.depth_format = kFormat, .depth_clamp = true, .depth_bias = true}};
-  const auto planes = caster_planes(map);
-  for (const auto kind : {upload::CasterKind::opaque, upload::CasterKind::cutout})
-    upload::draw_casters(c.tools(), c.commands(), scene, upload::visible_casters(scene.casters, kind, planes), kind,
-                         view);
+// One is left for what moves, and is in no static map.
+void leave_to_static_map(Served& served) {
+  const std::size_t count = served.spheres.size();
+  if (count < 2) return;
+  served.spheres.resize(count - std::min(kReplacedMaps, count - 1));
+  served.whole = false;
 }
 
 }  // namespace
 
 // Maps and what shaders know of them, by the sun of the scene. There is one that casts shadows.
 shading::SunShadows Maps::fit_all(const upload::SceneTables& scene, const View& view, const Settings& settings) {
-  const auto& sun = scene.host_lights[scene.light_ranges.sun];
-  const glm::dmat3 axes = light_axes(glm::normalize(-glm::dvec3(sun.direction)));
-  const auto bounds = bounds_of(scene.casters);
-  MapLimits limits{.size = settings.size};
-  set_extent(bounds, axes, limits);
-  limits.reach =
-      std::clamp(limits.scene_high.z - limits.scene_low.z, kShortestReach, static_cast<double>(settings.reach));
-  const double tangent = settings.soft ? tangent_of(sun.color.w) : 0.0;
+  const glm::dmat3 axes = passes::sun_axes(scene);
+  const auto bounds = upload::bounds_of(scene.casters);
+  MapLimits limits{.scene = passes::light_box(axes, bounds), .size = settings.size};
+  limits.reach = passes::blocker_reach(limits.scene, static_cast<double>(settings.reach));
 
-  const auto spheres = served_spheres(view, sphere_around(bounds), settings);
+  auto served = served_spheres(view, sphere_around(bounds), settings);
+  const bool has_still = !upload::bounds_of(scene.casters, upload::CasterChoice::still).empty();
+  if (settings.far == FarSun::static_map && has_still) leave_to_static_map(served);
+  hold_scene_ = served.whole;
+  const auto& spheres = served.spheres;
   const Shared shared{scene.gpu, scene.casters.casters.size(), axes, settings.size, spheres.size()};
   const bool keeps = settings.update == MapUpdate::staggered && shared == shared_ && depths_;
   pictures_ = keeps ? pictures_ + 1 : 0;
@@ -118,14 +95,14 @@ shading::SunShadows Maps::fit_all(const upload::SceneTables& scene, const View& 
                             .axis_y = glm::dvec4(rows[1], 0.0),
                             .axis_z = glm::dvec4(rows[2], settings.normal_offset)};
   for (std::size_t i = 0; i < spheres.size(); ++i) {
-    limits.margin = std::min(tangent * limits.reach, kWidestPenumbra * spheres[i].radius);
-    const double distance = tangent > 0.0 ? limits.margin / tangent : limits.reach;
+    const auto penumbra = passes::widest_penumbra(scene, settings.soft, limits.reach, spheres[i].radius);
+    limits.margin = penumbra.radius;
     const bool keep = keeps && !is_due(i, pictures_) && covers(maps_[i], spheres[i], limits.margin);
     const double room = settings.update == MapUpdate::staggered ? kRoom : 1.0;
     if (i == maps_.size()) maps_.emplace_back();
     if (!keep) maps_[i] = fit_map(axes, {spheres[i].center, spheres[i].radius * room}, limits);
     stale_.push_back(!keep);
-    table.cascades[table.cascade_count++] = gpu_cascade(maps_[i], view.eye, {limits.margin, distance});
+    table.cascades[table.cascade_count++] = gpu_cascade(maps_[i], view.eye, penumbra);
   }
   maps_.resize(spheres.size());
   return table;
@@ -140,14 +117,13 @@ void Maps::fit(gpu::Device& device, upload::SceneTables& scene, const upload::Vi
     throw Error(ErrorCode::usage, fmt::format("sun_shadows.size {} is more than this device's images have, {}", size,
                                               device.caps().max_image_size));
   eye_ = view.eye;
-  std::vector<shading::SunShadows> table(1);
+  scene.host_sun_shadows = {};
   if (wanted) {
-    table.front() = fit_all(scene, fit_view(view), settings);
+    scene.host_sun_shadows = fit_all(scene, fit_view(view), settings);
   } else {
     maps_.clear();
     shared_ = {};
   }
-  scene.sun_shadows = upload::make_buffer(device, table, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   const gpu::ImageDesc desc{.format = kFormat,
                             .width = wanted ? size : 1,
                             .height = wanted ? size : 1,
@@ -172,7 +148,7 @@ graph::GraphImage add(graph::Graph& graph, const Inputs& in) {
       c.begin_rendering({.depth = depths, .clear_depth = true, .layer = i});
       // Away from the sun, which is towards 0: depth is reversed.
       vkCmdSetDepthBias(c.commands(), 0.0f, 0.0f, -in.slope_bias);
-      draw_map(c, in.scene, maps[i], in.maps.eye());
+      passes::draw_sun_map(c, in.scene, maps[i], in.maps.eye(), {.depth_format = kFormat});
       c.end_rendering();
     }
   });

@@ -17,11 +17,13 @@ using Settings = velarium::Settings::sun_shadows_settings;
 // picture has no sun that casts shadows, or wants none.
 class Maps {
  public:
-  // Fits maps to a picture, before its first frame, and fills SceneTables::sun_shadows. Throws Error(usage) where the
-  // device has no images of settings.size.
+  // Fits maps to a picture, before its first frame, and fills SceneTables::host_sun_shadows. Throws Error(usage) where
+  // the device has no images of settings.size.
   void fit(gpu::Device& device, upload::SceneTables& scene, const upload::ViewMatrices& view, const Settings& settings);
 
   [[nodiscard]] bool empty() const { return maps_.empty(); }
+  // Is every surface that can be seen in one of the maps? Else far_shadows has to help.
+  [[nodiscard]] bool hold_scene() const { return hold_scene_; }
   [[nodiscard]] const std::vector<Map>& maps() const { return maps_; }
   // Is a map to be drawn in the first frame of this picture?
   [[nodiscard]] bool is_stale(std::size_t map) const { return stale_[map]; }
@@ -45,6 +47,7 @@ class Maps {
   std::vector<Map> maps_;
   std::vector<bool> stale_;  // by map
   Shared shared_;
+  bool hold_scene_ = true;
   std::uint64_t pictures_ = 0;  // since all maps were drawn
   glm::dvec3 eye_{0.0};
   gpu::Image depths_;

@@ -45,7 +45,7 @@ glm::dvec3 corner_at(const View& view, double depth, double x, double y) {
 }
 
 MapLimits limits_of(int size, double margin = 0.0) {
-  return {.scene_low = glm::dvec3(-1e4), .scene_high = glm::dvec3(1e4), .margin = margin, .reach = 100.0, .size = size};
+  return {.scene = {glm::dvec3(-1e4), glm::dvec3(1e4)}, .margin = margin, .reach = 100.0, .size = size};
 }
 
 TEST(Splits, FollowThePracticalScheme) {
@@ -112,7 +112,7 @@ TEST(LightAxes, AreRightHandedPicturesFromTheSun) {
   Random random;
   for (int i = 0; i < 100; ++i) {
     const glm::dvec3 to_sun = i == 0 ? glm::dvec3(0, 1, 0) : random.direction();
-    const glm::dmat3 axes = light_axes(to_sun);
+    const glm::dmat3 axes = passes::light_axes(to_sun);
     EXPECT_LT(glm::length(axes * to_sun - glm::dvec3(0, 0, 1)), 1e-12);
     // Down the picture is against up: seen from the sun, x right and y down are left-handed with the way to it.
     EXPECT_NEAR(glm::determinant(axes), -1.0, 1e-12);
@@ -122,7 +122,7 @@ TEST(LightAxes, AreRightHandedPicturesFromTheSun) {
 // However the viewer moves, a point of the world lies at the same place within its texel, and texels keep their size.
 TEST(Snapping, KeepsTexelsWhereTheyAre) {
   Random random;
-  const glm::dmat3 axes = light_axes(glm::normalize(glm::dvec3(0.3, 1.0, 0.2)));
+  const glm::dmat3 axes = passes::light_axes(glm::normalize(glm::dvec3(0.3, 1.0, 0.2)));
   const glm::dvec3 point(12.3, 4.5, -67.8);
   double texel = 0.0, worst = 0.0;
   glm::dvec2 phase(0.0);
@@ -149,7 +149,7 @@ TEST(Maps, HoldTheirSphereAndFilters) {
   for (int i = 0; i < 200; ++i) {
     const Sphere sphere{random.point(50.0), random.uniform(0.1, 20.0)};
     const double margin = random.uniform(0.0, sphere.radius);
-    const glm::dmat3 axes = light_axes(random.direction());
+    const glm::dmat3 axes = passes::light_axes(random.direction());
     const Map map = fit_map(axes, sphere, limits_of(512, margin));
     EXPECT_TRUE(covers(map, sphere, margin));
     const Sphere beside{sphere.center + glm::transpose(axes)[0] * 3.0 * map.side, sphere.radius};
@@ -168,7 +168,7 @@ TEST(Maps, HoldTheirSphereAndFilters) {
 
 TEST(Maps, AreTheSameToRasterAndToShaders) {
   Random random;
-  const glm::dmat3 axes = light_axes(random.direction());
+  const glm::dmat3 axes = passes::light_axes(random.direction());
   const glm::dvec3 eye = random.point(1000.0);
   const Map map = fit_map(axes, {eye + random.point(5.0), 10.0}, limits_of(2048));
   const glm::mat4 clip = clip_from_world(map, eye);
@@ -202,7 +202,7 @@ TEST(Staggering, DrawsOneFarMapAPictureAtMost) {
 // Reversed depth, and nothing between the sun and a map is refused.
 TEST(Maps, SeeAllCastersTowardsTheSunAndNoneBehind) {
   const glm::dvec3 to_sun = glm::normalize(glm::dvec3(0.2, 1.0, 0.1));
-  const glm::dmat3 axes = light_axes(to_sun);
+  const glm::dmat3 axes = passes::light_axes(to_sun);
   const Sphere sphere{{3.0, 4.0, 5.0}, 2.0};
   const Map map = fit_map(axes, sphere, limits_of(512));
   const auto planes = caster_planes(map);

@@ -21,6 +21,7 @@ struct Row {
   scene::Moment moment;
 
   Row() {
+    scene.nodes.resize(1);
     scene.materials.resize(2);
     scene.materials[1].alpha_mode = scene::AlphaMode::mask;
     scene.primitives = {triangle(0), triangle(1), triangle(0)};

@@ -1,0 +1,191 @@
+#include "passes/far_shadows/far_shadows.hpp"
+
+#include "graph/context.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace velarium::far_shadows {
+namespace {
+
+using graph::Access;
+
+constexpr std::uint32_t kBlur[] =
+#include "shaders/far_blur.comp.inc"
+    ;
+constexpr std::uint32_t kGroup = 8;
+
+constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
+// Each moment in a layer of its own, as every device can store to one channel of 32 bits. Half floats are too coarse: a
+// square below 1/4 is rounded by 2^-14, hence a deviation of 2^-7 of what the map spans, 8 m of a kilometre, is noise.
+constexpr VkFormat kMomentFormat = VK_FORMAT_R32_SFLOAT;
+constexpr int kMomentBytes = 8;
+constexpr VkFormat kStaticFormat = VK_FORMAT_D16_UNORM;
+constexpr int kStaticBytes = 2;
+
+// The deviation that rounding may feign, as a share of what the map spans: squares below 1/4 have steps of 2^-26, and a
+// blur adds up some tens of them.
+constexpr double kMomentRounding = 0x1p-12;
+// A surface is not flat within a texel.
+constexpr double kLeastDeviation = 0.5;  // texels
+// The blur reaches as far as penumbrae of blockers of mean distance. Less than a texel would show texels, more than a
+// few costs more than a smaller map.
+constexpr double kMeanBlockerShare = 0.1;  // of the farthest distance
+constexpr double kLeastBlur = 0.7, kMostBlur = 4.0;
+// Deviations after which the bell curve is cut off, at a twentieth of its height.
+constexpr double kBlurEnd = 2.5;
+
+// What a depth of 16 bits is rounded by when it is stored, and when it is compared: a step each at most.
+constexpr double kDepthStep = 1.0 / 65535.0;
+constexpr double kStaticSteps = 2.0;
+
+constexpr double kSmallestSide = 1e-6;  // metres
+// Space before and behind what a map sees, as a share of it, so that rounding cuts nothing off.
+constexpr double kDepthGuard = 1e-3;
+
+constexpr VkImageUsageFlags kRead = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+
+int blur_radius(double deviation) {
+  return static_cast<int>(std::ceil(kBlurEnd * deviation));
+}
+
+struct BlurPush {
+  float deviation;
+  std::int32_t radius;
+};
+
+graph::GraphImage add_blur(graph::Graph& graph, graph::GraphImage source, graph::GraphImage target, bool columns,
+                           float deviation) {
+  auto& pass = graph.pass(columns ? "far_shadows_columns" : "far_shadows_rows");
+  pass.read(source, Access::compute_sample);
+  const auto blurred = pass.write(target, Access::compute_storage);
+  const BlurPush push{deviation, blur_radius(static_cast<double>(deviation))};
+  pass.run([=](graph::Context& c) {
+    const auto& pipeline = c.tools().pipelines.compute(kBlur, {columns ? 1u : 0u});
+    c.bind(pipeline);
+    c.set(pipeline, 0).sampled(0, source).storage(1, blurred).bind();
+    c.push(pipeline, push);
+    const auto& size = c.image(blurred).desc();
+    c.dispatch(size.width, size.height, kGroup, kGroup);
+  });
+  return blurred;
+}
+
+graph::GraphImage add_depth(graph::Graph& graph, const Inputs& in, graph::GraphImage target,
+                            const passes::SunMapDraw& how, float slope_bias) {
+  auto& pass = graph.pass("far_shadows");
+  const auto depth = pass.write(target, Access::depth_attachment);
+  pass.run([in, depth, how, slope_bias](graph::Context& c) {
+    c.begin_rendering({.depth = depth, .clear_depth = true});
+    // Away from the sun, which is towards 0: depth is reversed.
+    vkCmdSetDepthBias(c.commands(), 0.0f, 0.0f, -slope_bias);
+    passes::draw_sun_map(c, in.scene, in.map.map(), in.map.eye(), how);
+    c.end_rendering();
+  });
+  return depth;
+}
+
+graph::GraphImage add_moments(graph::Graph& graph, const Inputs& in, graph::GraphImage moments) {
+  const auto side = static_cast<std::uint32_t>(in.map.map().size);
+  // Both sides, as single sheets have no other [Crytek 2011]; no bias, as a plane's moments are its own.
+  const auto depth =
+      add_depth(graph, in, graph.image("depth", {.format = kDepthFormat, .width = side, .height = side, .array = true}),
+                {.depth_format = kDepthFormat, .cull = VK_CULL_MODE_NONE}, 0.0f);
+  const auto half_blurred =
+      graph.image("moments", {.format = kMomentFormat, .width = side, .height = side, .layers = 2, .array = true});
+  const auto rows = add_blur(graph, depth, half_blurred, false, in.map.blur_deviation());
+  return add_blur(graph, rows, moments, true, in.map.blur_deviation());
+}
+
+}  // namespace
+
+passes::SunMap fit_to(const glm::dmat3& axes, const passes::LightBox& casters, int size, double guard) {
+  const glm::dvec3 extent = casters.high - casters.low;
+  passes::SunMap map{.axes = axes, .size = size};
+  map.side = std::max({extent.x, extent.y, kSmallestSide}) * size / (size - 2.0 * guard);
+  map.corner = 0.5 * (glm::dvec2(casters.low) + glm::dvec2(casters.high) - map.side);
+  const double depth_guard = kDepthGuard * std::max(extent.z, map.side / size);
+  map.z_near = casters.high.z + depth_guard;
+  map.z_far = casters.low.z - depth_guard;
+  return map;
+}
+
+int affordable_size(int wanted, int texel_bytes, int memory_mib, std::uint32_t largest_image) {
+  const auto fits = [&](int size) {
+    return static_cast<std::uint32_t>(size) <= largest_image &&
+           std::int64_t{size} * size * texel_bytes <= std::int64_t{memory_mib} << 20;
+  };
+  while (!fits(wanted)) wanted /= 2;
+  return wanted;
+}
+
+void Map::allocate(gpu::Device& device, const gpu::ImageDesc& desc, VkImageUsageFlags usage) {
+  if (image_ && image_.desc() == desc) return;
+  image_ = {};  // first: the old one and the new one need not fit beside each other
+  image_ = gpu::Image(device, desc, usage | kRead);
+}
+
+void Map::fit_moments(gpu::Device& device, upload::SceneTables& scene, const Settings& settings) {
+  const glm::dmat3 axes = passes::sun_axes(scene);
+  const auto box = passes::light_box(axes, upload::bounds_of(scene.casters));
+  const int size = affordable_size(settings.far_size, kMomentBytes, settings.far_memory, device.caps().max_image_size);
+  map_ = fit_to(axes, box, size, passes::kGuardTexels + blur_radius(kMostBlur));
+  const double reach = passes::blocker_reach(box, static_cast<double>(settings.reach));
+  const auto penumbra = passes::widest_penumbra(scene, settings.soft, kMeanBlockerShare * reach, 0.5 * map_.side);
+  // A disc's deviation along one axis is half its radius.
+  const double blur = std::clamp(0.5 * penumbra.radius / map_.texel(), kLeastBlur, kMostBlur);
+  blur_deviation_ = static_cast<float>(blur);
+  auto& cascade = scene.host_sun_shadows.beyond;
+  cascade = passes::gpu_cascade(map_, eye_, penumbra);
+  cascade.soft.w =
+      static_cast<float>(std::max(kLeastDeviation * map_.texel(), kMomentRounding * (map_.z_near - map_.z_far)));
+  const auto side = static_cast<std::uint32_t>(size);
+  allocate(device, {.format = kMomentFormat, .width = side, .height = side, .layers = 2, .array = true},
+           VK_IMAGE_USAGE_STORAGE_BIT);
+  stale_ = true;
+}
+
+void Map::fit_static(gpu::Device& device, upload::SceneTables& scene, const Settings& settings) {
+  const glm::dmat3 axes = passes::sun_axes(scene);
+  const auto box = passes::light_box(axes, upload::bounds_of(scene.casters, upload::CasterChoice::still));
+  const int size =
+      affordable_size(settings.static_size, kStaticBytes, settings.far_memory, device.caps().max_image_size);
+  const auto map = fit_to(axes, box, size, passes::kGuardTexels);
+  const bool keeps = settings.update == MapUpdate::staggered && image_ && map == map_ && scene.gpu == scene_ &&
+                     settings.slope_bias == slope_bias_;
+  map_ = map;
+  scene_ = scene.gpu;
+  slope_bias_ = settings.slope_bias;
+  stale_ = !keeps;
+  const double reach = passes::blocker_reach(box, static_cast<double>(settings.reach));
+  auto& cascade = scene.host_sun_shadows.beyond;
+  cascade = passes::gpu_cascade(map_, eye_, passes::widest_penumbra(scene, settings.soft, reach, 0.5 * map_.side));
+  cascade.soft.w = static_cast<float>(kStaticSteps * kDepthStep * (map_.z_near - map_.z_far));
+  const auto side = static_cast<std::uint32_t>(size);
+  allocate(device, {.format = kStaticFormat, .width = side, .height = side, .array = true},
+           VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+}
+
+void Map::fit(gpu::Device& device, upload::SceneTables& scene, const glm::dvec3& eye, bool wanted,
+              const Settings& settings) {
+  eye_ = eye;
+  const FarSun kind = wanted ? settings.far : FarSun::off;
+  if (kind != kind_) *this = Map();
+  kind_ = kind;
+  eye_ = eye;
+  if (kind == FarSun::vsm) fit_moments(device, scene, settings);
+  if (kind == FarSun::static_map) fit_static(device, scene, settings);
+}
+
+passes::FarSunMap add(graph::Graph& graph, const Inputs& in) {
+  if (in.map.kind() == FarSun::off) return {};
+  const bool draws = in.first && in.map.is_stale();
+  auto image = graph.import("far_shadows.map", in.map.image(), !draws);
+  if (draws && in.map.kind() == FarSun::vsm) image = add_moments(graph, in, image);
+  if (draws && in.map.kind() == FarSun::static_map)
+    image = add_depth(graph, in, image, {.depth_format = kStaticFormat, .casters = upload::CasterChoice::still},
+                      in.slope_bias);
+  return {image, in.map.kind()};
+}
+
+}  // namespace velarium::far_shadows
