@@ -60,6 +60,14 @@ void note_lights_without_map(std::uint32_t lights, RenderReport& report) {
                     lights));
 }
 
+void note_reduced_map(const far_shadows::Map& map, RenderReport& report) {
+  if (map.kind() != FarSun::off && map.is_reduced())
+    report.notes.push_back(
+        fmt::format("the map of sun_shadows.far={} has {} texels a side: sun_shadows.far_memory, or "
+                    "images of this device, allow no more",
+                    map.kind() == FarSun::vsm ? "vsm" : "static_map", map.map().size));
+}
+
 std::optional<std::array<float, 3>> background_color(const RenderRequest& request) {
   if (request.background != Background::color) return std::nullopt;
   return request.background_color;
@@ -144,6 +152,7 @@ RenderResult Renderer::render(const Job& job) {
                            .settings = request.settings};
   RenderResult result;
   note_lights_without_map(unshadowed, result.report);
+  note_reduced_map(far_map_, result.report);
   run_frames(job, inputs, picture_uniforms(job, scene.light_ranges), view, result.report);
   for (const auto& name : request.dumps) result.dumps.push_back(dump_image(tools_.device, executor_, name));
   read_picture(job, result);

@@ -16,6 +16,10 @@ layout(set = 1, binding = 17) uniform sampler2DArrayShadow far_comparison;  // o
 // Of Chebyshev's bound this much may be wrong behind two blockers that stand one behind the other; what is below is dark.
 const float kBleeding = 0.2;
 
+// Filtered depths of a plane average to its own. What is left to lift it by, along its normal, is what the rasteriser may
+// move it: up to a sixteenth of a texel on some devices.
+const float kMomentLift = 0.125;  // texels
+
 // Bilinear by hand: devices need not filter 32-bit floats.
 vec2 moments_at(vec2 uv) {
   ivec2 last = textureSize(far_map, 0).xy - 1;
@@ -32,7 +36,6 @@ vec2 moments_at(vec2 uv) {
   return moments;
 }
 
-// Filtered depths of a plane average to its own, so that nothing has to be lifted off it but for rounding.
 float moment_occlusion(Cascade c, vec3 place) {
   float deviation = c.soft.w * c.depth.x;
   float bound = chebyshev_bound(moments_at(place.xy), moment_depth(place.z), deviation * deviation);
@@ -43,7 +46,8 @@ float moment_occlusion(Cascade c, vec3 place) {
 float far_occlusion(vec3 p, vec3 n, float noise) {
   if (kFarSun == kFarNone) return 0.0;
   Cascade c = sun.beyond;
-  vec3 place = kFarSun == kFarMoments ? cascade_place(c, p) : lifted_place(c, p, n);
+  float lift = kFarSun == kFarMoments ? kMomentLift : sun.axis_z.w;
+  vec3 place = lifted_place(c, p, n, lift);
   // Where the map ends there is nothing more to cast a shadow.
   bool beside = any(lessThan(place.xy, vec2(0.0))) || any(greaterThan(place.xy, vec2(1.0)));
   if (beside || place.z >= 1.0) return 0.0;

@@ -75,9 +75,9 @@ float map_occlusion(sampler2DArray depths, sampler2DArrayShadow comparison, Casc
   return 1.0 - lit / float(taps);
 }
 
-// Where to look a point up. p, n: of light space, the place and the geometric normal.
-vec3 lifted_place(Cascade c, vec3 p, vec3 n) {
-  float offset = shadow_normal_offset(n.z, sun.axis_z.w, c.depth.w);
+// Where to look a point up. p, n: of light space, the place and the geometric normal; texels: to lift it along that.
+vec3 lifted_place(Cascade c, vec3 p, vec3 n, float texels) {
+  float offset = shadow_normal_offset(n.z, texels, c.depth.w);
   return cascade_place(c, p + n * offset + vec3(0.0, 0.0, kDepthLift * c.depth.w + c.soft.w));
 }
 
@@ -104,7 +104,8 @@ float sun_occlusion(vec3 position, vec3 normal, float noise) {
   uint chosen = choose_cascade(p, noise);
   if (chosen == sun.cascade_count) return far_occlusion(p, n, noise);
   Cascade c = sun.cascades[chosen];
-  return map_occlusion(sun_depths, sun_comparison, c, float(chosen), lifted_place(c, p, n), first_tap_direction(noise));
+  vec3 place = lifted_place(c, p, n, sun.axis_z.w);
+  return map_occlusion(sun_depths, sun_comparison, c, float(chosen), place, first_tap_direction(noise));
 }
 
 #endif

@@ -15,9 +15,14 @@ layout(set = 0, binding = 1, r32f) writeonly uniform image2DArray moments;  // l
 
 layout(push_constant, std430) uniform Push { float deviation; int radius; };  // texels
 
+// Where nothing was drawn, a depth behind the map's end: a surface that slopes away from the sun up to its rim there would
+// go on at least as far, within a blur of an eighth of the map.
+const float kNothing = -0.125;
+
 vec2 moments_at(ivec2 texel) {
   float first = texelFetch(source, ivec3(texel, 0), 0).r;
-  return kColumns == 0u ? depth_moments(moment_depth(first)) : vec2(first, texelFetch(source, ivec3(texel, 1), 0).r);
+  if (kColumns != 0u) return vec2(first, texelFetch(source, ivec3(texel, 1), 0).r);
+  return depth_moments(moment_depth(first > 0.0 ? first : kNothing));
 }
 
 void main() {

@@ -128,7 +128,8 @@ void Map::allocate(gpu::Device& device, const gpu::ImageDesc& desc, VkImageUsage
 void Map::fit_moments(gpu::Device& device, upload::SceneTables& scene, const Settings& settings) {
   const glm::dmat3 axes = passes::sun_axes(scene);
   const auto box = passes::light_box(axes, upload::bounds_of(scene.casters));
-  const int size = affordable_size(settings.far_size, kMomentBytes, settings.far_memory, device.caps().max_image_size);
+  wanted_size_ = settings.far_size;
+  const int size = affordable_size(wanted_size_, kMomentBytes, settings.far_memory, device.caps().max_image_size);
   map_ = fit_to(axes, box, size, passes::kGuardTexels + blur_radius(kMostBlur));
   const double reach = passes::blocker_reach(box, static_cast<double>(settings.reach));
   const auto penumbra = passes::widest_penumbra(scene, settings.soft, kMeanBlockerShare * reach, 0.5 * map_.side);
@@ -148,8 +149,8 @@ void Map::fit_moments(gpu::Device& device, upload::SceneTables& scene, const Set
 void Map::fit_static(gpu::Device& device, upload::SceneTables& scene, const Settings& settings) {
   const glm::dmat3 axes = passes::sun_axes(scene);
   const auto box = passes::light_box(axes, upload::bounds_of(scene.casters, upload::CasterChoice::still));
-  const int size =
-      affordable_size(settings.static_size, kStaticBytes, settings.far_memory, device.caps().max_image_size);
+  wanted_size_ = settings.static_size;
+  const int size = affordable_size(wanted_size_, kStaticBytes, settings.far_memory, device.caps().max_image_size);
   const auto map = fit_to(axes, box, size, passes::kGuardTexels);
   const bool keeps = settings.update == MapUpdate::staggered && image_ && map == map_ && scene.gpu == scene_ &&
                      settings.slope_bias == slope_bias_;
@@ -180,7 +181,8 @@ void Map::fit(gpu::Device& device, upload::SceneTables& scene, const glm::dvec3&
 passes::FarSunMap add(graph::Graph& graph, const Inputs& in) {
   if (in.map.kind() == FarSun::off) return {};
   const bool draws = in.first && in.map.is_stale();
-  auto image = graph.import("far_shadows.map", in.map.image(), !draws);
+  // What is drawn is drawn whole, so that a new image counts as initialised.
+  auto image = graph.import("far_shadows.map", in.map.image(), true);
   if (draws && in.map.kind() == FarSun::vsm) image = add_moments(graph, in, image);
   if (draws && in.map.kind() == FarSun::static_map)
     image = add_depth(graph, in, image, {.depth_format = kStaticFormat, .casters = upload::CasterChoice::still},

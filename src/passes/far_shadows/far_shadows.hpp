@@ -29,6 +29,8 @@ class Map {
            const Settings& settings);
 
   [[nodiscard]] FarSun kind() const { return kind_; }
+  // Has it fewer texels than the settings ask for, as memory or the device has no more?
+  [[nodiscard]] bool is_reduced() const { return map_.size < wanted_size_; }
   // Is it to be drawn in the first frame of this picture?
   [[nodiscard]] bool is_stale() const { return stale_; }
   // As passes::FarSunMap has it. Precondition: kind() is not off.
@@ -45,6 +47,7 @@ class Map {
   FarSun kind_ = FarSun::off;
   bool stale_ = false;
   passes::SunMap map_;
+  int wanted_size_ = 0;  // texels
   // What a kept map was drawn of.
   const upload::GpuScene* scene_ = nullptr;
   float slope_bias_ = 0.0f;

@@ -47,6 +47,16 @@ const VertexFrames& deformed(const Moment& moment) {
   return moment.deformed.at(static_cast<std::size_t>(moment.instances.at(0).deformed));
 }
 
+TEST(MovingNodes, AreThoseThatAnimationsMoveAndWhatHangsOnThem) {
+  Scene scene = family();
+  scene.nodes.resize(3);  // the third stands apart
+  EXPECT_EQ(moving_nodes(scene), (std::vector<bool>{false, false, false}));
+  scene.animations = {{}, {.channels = {{.node = 1}}}};
+  EXPECT_EQ(moving_nodes(scene), (std::vector<bool>{false, true, false}));
+  scene.animations[0].channels = {{.node = 0}};
+  EXPECT_EQ(moving_nodes(scene), (std::vector<bool>{true, true, false}));
+}
+
 TEST(Aabb, TransformedBoundsTheTransformedCorners) {
   const Aabb box{{-1, 0, 2}, {1, 3, 5}};
   const glm::mat4 turn = glm::rotate(glm::mat4(1), glm::radians(90.0f), glm::vec3(0, 0, 1));

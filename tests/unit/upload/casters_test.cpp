@@ -63,6 +63,26 @@ TEST(Casters, NeighboursOfOneStateAreOneDraw) {
   EXPECT_TRUE(visible_casters(table, CasterKind::cutout, left_of(100.0)).empty());
 }
 
+// What deforms, and what hangs on a node that is animated, may be elsewhere at another time.
+TEST(Casters, ThatMoveAreLeftOutWhereStillOnesAreAskedFor) {
+  Row row;
+  row.scene.nodes.resize(2);
+  row.scene.animations = {{.channels = {{.node = 1}}}};
+  for (int i = 0; i < 3; ++i) row.add(0);
+  row.moment.instances[0].deformed = 0;
+  row.moment.instances[1].node = 1;
+  const auto table = make_casters(row.scene, row.moment, {});
+  // Both of those at rest in this moment are one draw, that which is deformed another.
+  EXPECT_EQ(visible_casters(table, CasterKind::opaque, left_of(100.0)).size(), 2u);
+  const auto still = visible_casters(table, CasterKind::opaque, left_of(100.0), CasterChoice::still);
+  ASSERT_EQ(still.size(), 1u);
+  EXPECT_EQ(still[0].object_count, 1u);
+  EXPECT_EQ(bounds_of(table).min.x, 0.0f);
+  EXPECT_EQ(bounds_of(table, CasterChoice::still).min.x, 20.0f);
+  row.moment.instances[2].node = 1;
+  EXPECT_TRUE(bounds_of(make_casters(row.scene, row.moment, {}), CasterChoice::still).empty());
+}
+
 TEST(Casters, WhatTheVolumeDoesNotHoldIsNotDrawn) {
   Row row;
   for (int i = 0; i < 4; ++i) row.add(0);
