@@ -24,6 +24,10 @@ inline constexpr OtherDrivers kOtherDrivers[] = {
     {"bumpy_metal",
      {.max_error = 16, .share = 0.02},
      "fine normals under one lamp: lavapipe filters them in 8 bits, as in atrium"},
+    {"sun_far",
+     {.max_error = 16, .share = 0.006},
+     "casters snap to 1/16 of a texel of a coarse map, which a blurred one shows as another shade all over its "
+     "penumbrae"},
     {"wrap_modes",
      {.max_error = 4, .share = 0.015},
      "where a texture repeats there is an edge along a whole row of pixels, and it moves by one of four samples"},
