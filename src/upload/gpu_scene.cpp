@@ -5,11 +5,17 @@
 #include "upload/transfer.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 namespace velarium::upload {
 namespace {
 
 constexpr VkBufferUsageFlags kVertexUsage = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT;
+
+std::uint64_t next_id() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
 
 // Vertices of many primitives, one after the other.
 struct PackedStreams {
@@ -36,6 +42,7 @@ struct PackedStreams {
 GpuScene::GpuScene(gpu::Device& device, const scene::Scene& scene)
     : device_(device),
       scene_(scene),
+      id_(next_id()),
       textures_(device, scene),
       materials_(make_buffer(device, gpu_materials(scene), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT)),
       projectors_(make_projectors(device, scene)) {

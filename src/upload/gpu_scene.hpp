@@ -21,6 +21,9 @@ class GpuScene {
   GpuScene(gpu::Device& device, const scene::Scene& scene);
 
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }
+  // From 1 on, another one for each that this process makes: what is kept of one is not mistaken for another's, which
+  // may stand where it stood.
+  [[nodiscard]] std::uint64_t id() const { return id_; }
   [[nodiscard]] const Textures& textures() const { return textures_; }
   [[nodiscard]] const gpu::Buffer& materials() const { return materials_; }
   [[nodiscard]] const Projectors& projectors() const { return projectors_; }
@@ -44,6 +47,7 @@ class GpuScene {
 
   gpu::Device& device_;
   const scene::Scene& scene_;
+  std::uint64_t id_;
   Textures textures_;
   gpu::Buffer materials_;
   Projectors projectors_;
@@ -65,10 +69,10 @@ struct SceneTables {
   gpu::Buffer light_bounds;  // view space spheres
   gpu::Buffer clip_volumes;  // ClipVolumeTable; null where no light ends at a volume
   LightRanges light_ranges;
-  gpu::Buffer shadow_views;  // ShadowView, of point and spot lights; null where none has a map
+  gpu::Buffer shadow_views;                // ShadowView, of point and spot lights; null where none has a map
   shading::SunShadows host_sun_shadows{};  // of no cascade where no sun casts shadows
   gpu::Buffer sun_shadows;                 // the same
-  gpu::Buffer frame;         // FrameUniforms, mapped: rewritten before each frame
+  gpu::Buffer frame;                       // FrameUniforms, mapped: rewritten before each frame
   float texture_lod_bias = 0.0f;
   float anisotropy = 1.0f;
 };

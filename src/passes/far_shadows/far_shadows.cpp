@@ -19,7 +19,8 @@ constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 // Each moment in a layer of its own, as every device can store to one channel of 32 bits. Half floats are too coarse: a
 // square below 1/4 is rounded by 2^-14, hence a deviation of 2^-7 of what the map spans, 8 m of a kilometre, is noise.
 constexpr VkFormat kMomentFormat = VK_FORMAT_R32_SFLOAT;
-constexpr int kMomentBytes = 8;
+// With the depth that they are made of, and what is blurred along rows alone.
+constexpr int kMomentBytes = 8 + 4 + 8;
 constexpr VkFormat kStaticFormat = VK_FORMAT_D16_UNORM;
 constexpr int kStaticBytes = 2;
 
@@ -152,10 +153,10 @@ void Map::fit_static(gpu::Device& device, upload::SceneTables& scene, const Sett
   wanted_size_ = settings.static_size;
   const int size = affordable_size(wanted_size_, kStaticBytes, settings.far_memory, device.caps().max_image_size);
   const auto map = fit_to(axes, box, size, passes::kGuardTexels);
-  const bool keeps = settings.update == MapUpdate::staggered && image_ && map == map_ && scene.gpu == scene_ &&
+  const bool keeps = settings.update == MapUpdate::staggered && image_ && map == map_ && scene.gpu->id() == scene_id_ &&
                      settings.slope_bias == slope_bias_;
   map_ = map;
-  scene_ = scene.gpu;
+  scene_id_ = scene.gpu->id();
   slope_bias_ = settings.slope_bias;
   stale_ = !keeps;
   const double reach = passes::blocker_reach(box, static_cast<double>(settings.reach));

@@ -49,7 +49,7 @@ class Map {
   passes::SunMap map_;
   int wanted_size_ = 0;  // texels
   // What a kept map was drawn of.
-  const upload::GpuScene* scene_ = nullptr;
+  std::uint64_t scene_id_ = 0;
   float slope_bias_ = 0.0f;
   float blur_deviation_ = 0.0f;
   glm::dvec3 eye_{0.0};

@@ -50,8 +50,8 @@ void allocate(Maps& maps, gpu::Device& device, std::uint32_t side) {
 std::vector<PlacedView> place(Maps& maps, const upload::SceneTables& tables, const Viewer& viewer,
                               const Settings& settings) {
   const auto views = wanted_views(tables.host_lights, viewer, tables.casters);
-  if (settings.updates == 0 || maps.scene != tables.gpu) maps.keeper.forget();
-  maps.scene = tables.gpu;
+  if (settings.updates == 0 || maps.scene_id != tables.gpu->id()) maps.keeper.forget();
+  maps.scene_id = tables.gpu->id();
   if (settings.updates == 0) return place_views(views, settings);
   std::vector<std::uint64_t> fingerprints;
   for (const View& view : views) fingerprints.push_back(fingerprint(view, viewer.view.eye, tables.casters));

@@ -8,10 +8,10 @@ namespace velarium::local_shadows {
 
 // Maps of depth of point and spot lights in one image, which is allocated once for each size of it.
 struct Maps {
-  gpu::Image atlas;                         // depth, reversed: 1 near the light, 0 far; D32F
-  std::vector<MapDraw> draws;               // that this picture needs
-  MapKeeper keeper;                         // of what the atlas holds, where settings.updates bounds the draws
-  const upload::GpuScene* scene = nullptr;  // that the keeper speaks of
+  gpu::Image atlas;            // depth, reversed: 1 near the light, 0 far; D32F
+  std::vector<MapDraw> draws;  // that this picture needs
+  MapKeeper keeper;            // of what the atlas holds, where settings.updates bounds the draws
+  std::uint64_t scene_id = 0;  // of what the keeper speaks of
 };
 
 // Plans the maps of a picture, and tells the lights where to find theirs: before the first of its frames. Returns how

@@ -85,7 +85,8 @@ shading::SunShadows Maps::fit_all(const upload::SceneTables& scene, const View& 
   if (settings.far == FarSun::static_map && has_still) leave_to_static_map(served);
   hold_scene_ = served.whole;
   const auto& spheres = served.spheres;
-  const Shared shared{scene.gpu, scene.casters.casters.size(), axes, settings.size, spheres.size()};
+  const Shared shared{scene.gpu->id(), scene.casters.casters.size(), axes, settings.size,
+                      spheres.size(),  settings.slope_bias};
   const bool keeps = settings.update == MapUpdate::staggered && shared == shared_ && depths_;
   pictures_ = keeps ? pictures_ + 1 : 0;
   shared_ = shared;

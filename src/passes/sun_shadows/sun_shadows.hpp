@@ -34,11 +34,12 @@ class Maps {
  private:
   // What all maps of a picture share. Maps of another are of no use.
   struct Shared {
-    const upload::GpuScene* scene = nullptr;
+    std::uint64_t scene_id = 0;
     std::size_t casters = 0;
     glm::dmat3 axes{1.0};
     int size = 0;
     std::size_t maps = 0;
+    float slope_bias = 0.0f;
     bool operator==(const Shared&) const = default;
   };
   [[nodiscard]] shading::SunShadows fit_all(const upload::SceneTables& scene, const View& view,
