@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace velarium::test {
 namespace {
@@ -102,6 +103,22 @@ TEST(FarShadow, NoPlaneShadowsItself) {
   }
 }
 
+// A kilometre of depth in 16 bits has steps of 15 mm, which are two texels wide here: the lift that goes by texels does
+// not hide them.
+TEST(FarShadow, DeepScenesDoNotShowTheirSteps) {
+  for (const float slope : {0.0f, 0.003f, 0.02f}) {
+    GltfWriter scene;
+    const int matt = scene.add_material({});
+    scene.add_quad(matt, {0, 0, 0}, {0, 1, 0}, {8, 8});
+    scene.add_quad(matt, {0, -1000, 0}, {0, 1, 0}, {1, 1});
+    scene.add_light({.type = "directional", .intensity = 3.0f, .direction = {-slope, -1, 0.7f * slope}});
+    RenderRequest view = request(kStatic);
+    view.look_at = LookAt{.eye = {3.0f, 2.5f, 4.0f}, .vertical_fov_deg = 40.0f};
+    const auto share = shadow_of(scene.load(), view);
+    EXPECT_GT(*std::min_element(share.begin(), share.end()), 0.999f) << slope;
+  }
+}
+
 // The map stands still in the world, so that what moves is the viewer alone.
 TEST(FarShadow, EdgesStayWhereTheyAreWhenTheViewerMoves) {
   constexpr std::uint32_t kShift = 13;
@@ -177,6 +194,20 @@ TEST(FarShadow, TheStaticMapReplacesTheLastTwoCascades) {
   }
 }
 
+// Where all casters move there is nothing to put into a static map: the cascades stay.
+TEST(FarShadow, WhatMovesIsInNoStaticMap) {
+  for (const char* file : {"skinned_bar.gltf", "morph_cube.gltf"}) {
+    const Scene moving = Scene::load(std::filesystem::path(VELARIUM_TEST_DATA) / file);
+    RenderRequest view = request("sun_shadows.far=static_map");
+    view.sun = Sun{};
+    const auto result = engine().render(moving, view);
+    EXPECT_EQ(passes_named(result, "sun_shadows"), 1u) << file;
+    EXPECT_EQ(passes_named(result, "far_shadows"), 0u) << file;
+    view.settings.sun_shadows.far = FarSun::vsm;
+    EXPECT_EQ(largest_error(result.picture.linear, picture_of(moving, view).linear), 0.0) << file;
+  }
+}
+
 // In a loop that keeps maps it is drawn once, and again when the sun has moved. Else every picture draws its own.
 TEST(FarShadow, TheStaticMapIsDrawnOnceForOneSun) {
   const Scene roof = Roof{}.load(), noon = Roof{.slope = 0.1f}.load();
@@ -186,6 +217,9 @@ TEST(FarShadow, TheStaticMapIsDrawnOnceForOneSun) {
   EXPECT_EQ(passes_named(first, "far_shadows"), 1u);
   EXPECT_EQ(passes_named(second, "far_shadows"), 0u);
   EXPECT_EQ(largest_error(second.picture.linear, first.picture.linear), 0.0);
+  // A view that needs no such map between two that do.
+  EXPECT_EQ(passes_named(keeping.render(roof, request(kStaggered)), "far_shadows"), 0u);
+  EXPECT_EQ(passes_named(keeping.render(roof, view), "far_shadows"), 0u);
   RenderRequest turned = view;
   turned.sun = Sun{.azimuth_deg = 30.0f, .elevation_deg = 40.0f, .illuminance_lux = 9.0f};
   const auto third = keeping.render(roof, turned);
@@ -196,10 +230,22 @@ TEST(FarShadow, TheStaticMapIsDrawnOnceForOneSun) {
   for (int i = 0; i < 2; ++i) EXPECT_EQ(passes_named(keeping.render(roof, stateless), "far_shadows"), 1u);
 }
 
+TEST(FarShadow, TheMapOfMomentsIsDrawnForEveryEighthPicture) {
+  const Scene roof = Roof{}.load();
+  Engine keeping(validated());
+  const auto view = request(kVsm + kStaggered);
+  const auto first = keeping.render(roof, view);
+  for (int picture = 0; picture < 17; ++picture) {
+    const auto result = picture == 0 ? first : keeping.render(roof, view);
+    EXPECT_EQ(passes_named(result, "far_shadows"), picture % 8 == 0 ? 1u : 0u) << picture;
+    EXPECT_EQ(largest_error(result.picture.linear, first.picture.linear), 0.0) << picture;
+  }
+}
+
 // Kept maps are those of a scene: another one may have the same sun, the same bounds and as many casters.
 TEST(FarShadow, KeptMapsAreNotThoseOfAnotherScene) {
   for (const auto& options :
-       {kStatic, std::string("sun_shadows.cascades=6 "), std::string("sun_shadows.cascades=1 ")}) {
+       {kStatic, kVsm, std::string("sun_shadows.cascades=6 "), std::string("sun_shadows.cascades=1 ")}) {
     Engine keeping(validated());
     const auto view = request(options + kStaggered);
     for (const float z : {0.0f, 1.0f, -1.0f, 0.5f}) {

@@ -36,6 +36,9 @@ constexpr double kLeastBlur = 0.7, kMostBlur = 4.0;
 // Deviations after which the bell curve is cut off, at a twentieth of its height.
 constexpr double kBlurEnd = 2.5;
 
+// As long as the last cascade of the talk, which is drawn for every eighth picture [Crytek 2011].
+constexpr int kMomentPictures = 8;
+
 // What a depth of 16 bits is rounded by when it is stored, and when it is compared: a step each at most.
 constexpr double kDepthStep = 1.0 / 65535.0;
 constexpr double kStaticSteps = 2.0;
@@ -122,8 +125,15 @@ int affordable_size(int wanted, int texel_bytes, int memory_mib, std::uint32_t l
 
 void Map::allocate(gpu::Device& device, const gpu::ImageDesc& desc, VkImageUsageFlags usage) {
   if (image_ && image_.desc() == desc) return;
+  stale_ = true;
   image_ = {};  // first: the old one and the new one need not fit beside each other
   image_ = gpu::Image(device, desc, usage | kRead);
+}
+
+void Map::keep_or_draw(const Contents& contents, bool may_keep) {
+  stale_ = !may_keep || contents != contents_;
+  age_ = stale_ ? 1 : age_ + 1;
+  contents_ = contents;
 }
 
 void Map::fit_moments(gpu::Device& device, upload::SceneTables& scene, const Settings& settings) {
@@ -131,20 +141,20 @@ void Map::fit_moments(gpu::Device& device, upload::SceneTables& scene, const Set
   const auto box = passes::light_box(axes, upload::bounds_of(scene.casters));
   wanted_size_ = settings.far_size;
   const int size = affordable_size(wanted_size_, kMomentBytes, settings.far_memory, device.caps().max_image_size);
-  map_ = fit_to(axes, box, size, passes::kGuardTexels + blur_radius(kMostBlur));
+  const auto map = fit_to(axes, box, size, passes::kGuardTexels + blur_radius(kMostBlur));
   const double reach = passes::blocker_reach(box, static_cast<double>(settings.reach));
-  const auto penumbra = passes::widest_penumbra(scene, settings.soft, kMeanBlockerShare * reach, 0.5 * map_.side);
+  const auto penumbra = passes::widest_penumbra(scene, settings.soft, kMeanBlockerShare * reach, 0.5 * map.side);
   // A disc's deviation along one axis is half its radius.
-  const double blur = std::clamp(0.5 * penumbra.radius / map_.texel(), kLeastBlur, kMostBlur);
-  blur_deviation_ = static_cast<float>(blur);
+  const double blur = std::clamp(0.5 * penumbra.radius / map.texel(), kLeastBlur, kMostBlur);
+  keep_or_draw({.scene_id = scene.gpu->id(), .map = map, .blur_deviation = static_cast<float>(blur)},
+               settings.update == MapUpdate::staggered && age_ < kMomentPictures);
   auto& cascade = scene.host_sun_shadows.beyond;
-  cascade = passes::gpu_cascade(map_, eye_, penumbra);
+  cascade = passes::gpu_cascade(map, eye_, penumbra);
   cascade.soft.w =
-      static_cast<float>(std::max(kLeastDeviation * map_.texel(), kMomentRounding * (map_.z_near - map_.z_far)));
+      static_cast<float>(std::max(kLeastDeviation * map.texel(), kMomentRounding * (map.z_near - map.z_far)));
   const auto side = static_cast<std::uint32_t>(size);
   allocate(device, {.format = kMomentFormat, .width = side, .height = side, .layers = 2, .array = true},
            VK_IMAGE_USAGE_STORAGE_BIT);
-  stale_ = true;
 }
 
 void Map::fit_static(gpu::Device& device, upload::SceneTables& scene, const Settings& settings) {
@@ -153,16 +163,12 @@ void Map::fit_static(gpu::Device& device, upload::SceneTables& scene, const Sett
   wanted_size_ = settings.static_size;
   const int size = affordable_size(wanted_size_, kStaticBytes, settings.far_memory, device.caps().max_image_size);
   const auto map = fit_to(axes, box, size, passes::kGuardTexels);
-  const bool keeps = settings.update == MapUpdate::staggered && image_ && map == map_ && scene.gpu->id() == scene_id_ &&
-                     settings.slope_bias == slope_bias_;
-  map_ = map;
-  scene_id_ = scene.gpu->id();
-  slope_bias_ = settings.slope_bias;
-  stale_ = !keeps;
+  keep_or_draw({.scene_id = scene.gpu->id(), .map = map, .slope_bias = settings.slope_bias},
+               settings.update == MapUpdate::staggered);
   const double reach = passes::blocker_reach(box, static_cast<double>(settings.reach));
   auto& cascade = scene.host_sun_shadows.beyond;
-  cascade = passes::gpu_cascade(map_, eye_, passes::widest_penumbra(scene, settings.soft, reach, 0.5 * map_.side));
-  cascade.soft.w = static_cast<float>(kStaticSteps * kDepthStep * (map_.z_near - map_.z_far));
+  cascade = passes::gpu_cascade(map, eye_, passes::widest_penumbra(scene, settings.soft, reach, 0.5 * map.side));
+  cascade.soft.w = static_cast<float>(kStaticSteps * kDepthStep * (map.z_near - map.z_far));
   const auto side = static_cast<std::uint32_t>(size);
   allocate(device, {.format = kStaticFormat, .width = side, .height = side, .array = true},
            VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
@@ -170,9 +176,8 @@ void Map::fit_static(gpu::Device& device, upload::SceneTables& scene, const Sett
 
 void Map::fit(gpu::Device& device, upload::SceneTables& scene, const glm::dvec3& eye, bool wanted,
               const Settings& settings) {
-  eye_ = eye;
   const FarSun kind = wanted ? settings.far : FarSun::off;
-  if (kind != kind_) *this = Map();
+  if (kind == FarSun::off && settings.update == MapUpdate::all) *this = Map();
   kind_ = kind;
   eye_ = eye;
   if (kind == FarSun::vsm) fit_moments(device, scene, settings);

@@ -19,39 +19,45 @@ using Settings = velarium::Settings::sun_shadows_settings;
 // be as large.
 [[nodiscard]] int affordable_size(int wanted, int texel_bytes, int memory_mib, std::uint32_t largest_image);
 
-// One map of the whole scene, of one picture after the other. That of what never moves may be kept, where pictures keep
-// maps (MapUpdate::staggered).
+// One map of the whole scene, of one picture after the other. Where pictures keep maps (MapUpdate::staggered), that of
+// what never moves is kept as long as it can be, that of moments for some pictures.
 class Map {
  public:
   // Fits the map to a picture, before its first frame, and fills SceneTables::host_sun_shadows.beyond. wanted: is there
-  // a sun, and do its other maps leave something of the scene? Without, the map's memory is given back.
+  // a sun, and do its other maps leave something of the scene? Without, the map's memory is given back, but where
+  // pictures keep maps: the next view may want it again.
   void fit(gpu::Device& device, upload::SceneTables& scene, const glm::dvec3& eye, bool wanted,
            const Settings& settings);
 
   [[nodiscard]] FarSun kind() const { return kind_; }
   // Has it fewer texels than the settings ask for, as memory or the device has no more?
-  [[nodiscard]] bool is_reduced() const { return map_.size < wanted_size_; }
+  [[nodiscard]] bool is_reduced() const { return contents_.map.size < wanted_size_; }
   // Is it to be drawn in the first frame of this picture?
   [[nodiscard]] bool is_stale() const { return stale_; }
   // As passes::FarSunMap has it. Precondition: kind() is not off.
   [[nodiscard]] gpu::Image& image() { return image_; }
-  [[nodiscard]] const passes::SunMap& map() const { return map_; }
+  [[nodiscard]] const passes::SunMap& map() const { return contents_.map; }
   [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
-  [[nodiscard]] float blur_deviation() const { return blur_deviation_; }  // texels
+  [[nodiscard]] float blur_deviation() const { return contents_.blur_deviation; }  // texels
 
  private:
+  // What a map shows. One of something else is of no use.
+  struct Contents {
+    std::uint64_t scene_id = 0;
+    passes::SunMap map;
+    float slope_bias = 0.0f, blur_deviation = 0.0f;
+    bool operator==(const Contents&) const = default;
+  };
+  void keep_or_draw(const Contents& contents, bool may_keep);
   void fit_moments(gpu::Device& device, upload::SceneTables& scene, const Settings& settings);
   void fit_static(gpu::Device& device, upload::SceneTables& scene, const Settings& settings);
   void allocate(gpu::Device& device, const gpu::ImageDesc& desc, VkImageUsageFlags usage);
 
   FarSun kind_ = FarSun::off;
   bool stale_ = false;
-  passes::SunMap map_;
+  int age_ = 0;          // pictures since it was drawn
   int wanted_size_ = 0;  // texels
-  // What a kept map was drawn of.
-  std::uint64_t scene_id_ = 0;
-  float slope_bias_ = 0.0f;
-  float blur_deviation_ = 0.0f;
+  Contents contents_;
   glm::dvec3 eye_{0.0};
   gpu::Image image_;
 };
