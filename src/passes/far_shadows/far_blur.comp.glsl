@@ -13,7 +13,11 @@ layout(constant_id = 0) const uint kColumns = 0u;  // 0: rows, of depth
 layout(set = 0, binding = 0) uniform sampler2DArray source;
 layout(set = 0, binding = 1, r32f) writeonly uniform image2DArray moments;  // layer 0: mean, layer 1: mean square
 
-layout(push_constant, std430) uniform Push { float deviation; int radius; };  // texels
+const int kMostTexels = 11;
+layout(push_constant, std430) uniform Push {
+  int radius;                  // texels, less than kMostTexels
+  float weights[kMostTexels];  // by distance from the middle; their sum over all texels is 1
+};
 
 // Where nothing was drawn, a depth behind the map's end: a surface that slopes away from the sun up to its rim there would
 // go on at least as far, within a blur of an eighth of the map.
@@ -30,13 +34,8 @@ void main() {
   if (any(greaterThan(texel, last))) return;
   ivec2 along = kColumns == 0u ? ivec2(1, 0) : ivec2(0, 1);
   vec2 sum = vec2(0.0);
-  float weights = 0.0;
-  for (int i = -radius; i <= radius; ++i) {
-    float weight = blur_weight(float(i), deviation);
-    sum += weight * moments_at(clamp(texel + i * along, ivec2(0), last));
-    weights += weight;
-  }
-  sum /= weights;
+  for (int i = -radius; i <= radius; ++i)
+    sum += weights[abs(i)] * moments_at(clamp(texel + i * along, ivec2(0), last));
   imageStore(moments, ivec3(texel, 0), vec4(sum.x));
   imageStore(moments, ivec3(texel, 1), vec4(sum.y));
 }

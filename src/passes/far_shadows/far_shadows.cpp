@@ -1,8 +1,10 @@
 #include "passes/far_shadows/far_shadows.hpp"
 
+#include "core/assert.hpp"
 #include "graph/context.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace velarium::far_shadows {
@@ -53,17 +55,29 @@ int blur_radius(double deviation) {
   return static_cast<int>(std::ceil(kBlurEnd * deviation));
 }
 
+constexpr std::size_t kMostTexels = 11;  // far_blur.comp.glsl
 struct BlurPush {
-  float deviation;
-  std::int32_t radius;
+  std::int32_t radius = 0;
+  std::array<float, kMostTexels> weights{};
 };
+
+BlurPush blur_push(float deviation) {
+  BlurPush push{.radius = blur_radius(static_cast<double>(deviation))};
+  VEL_ASSERT(push.radius < static_cast<std::int32_t>(kMostTexels));
+  float sum = 0.0f;
+  for (std::int32_t i = -push.radius; i <= push.radius; ++i)
+    sum += shading::blur_weight(static_cast<float>(i), deviation);
+  for (std::int32_t i = 0; i <= push.radius; ++i)
+    push.weights[static_cast<std::size_t>(i)] = shading::blur_weight(static_cast<float>(i), deviation) / sum;
+  return push;
+}
 
 graph::GraphImage add_blur(graph::Graph& graph, graph::GraphImage source, graph::GraphImage target, bool columns,
                            float deviation) {
   auto& pass = graph.pass(columns ? "far_shadows_columns" : "far_shadows_rows");
   pass.read(source, Access::compute_sample);
   const auto blurred = pass.write(target, Access::compute_storage);
-  const BlurPush push{deviation, blur_radius(static_cast<double>(deviation))};
+  const BlurPush push = blur_push(deviation);
   pass.run([=](graph::Context& c) {
     const auto& pipeline = c.tools().pipelines.compute(kBlur, {columns ? 1u : 0u});
     c.bind(pipeline);
