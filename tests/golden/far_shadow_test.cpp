@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t kSize = 64;
 // All that a viewer a metre away sees lies beyond one small cascade.
-const std::string kBeyond = "sun_shadows.cascades=1 sun_shadows.distance=0.01 ";
+const std::string kBeyond = "sun_shadows.size=256 sun_shadows.cascades=1 sun_shadows.distance=0.01 ";
 const std::string kVsm = kBeyond + "sun_shadows.far=vsm sun_shadows.far_size=512 ";
 const std::string kStatic = kBeyond + "sun_shadows.far=static_map sun_shadows.static_size=1024 ";
 const std::string kStaggered = "sun_shadows.update=staggered ";
@@ -180,7 +180,9 @@ TEST(FarShadow, TheStaticMapReplacesTheLastTwoCascades) {
   const Scene roof = Roof{}.load();
   for (const char* cascades : {"1", "2", "4"}) {
     const std::string options =
-        std::string("sun_shadows.far=static_map sun_shadows.static_size=1024 sun_shadows.cascades=") + cascades;
+        std::string(
+            "sun_shadows.size=512 sun_shadows.far=static_map sun_shadows.static_size=1024 sun_shadows.cascades=") +
+        cascades;
     RenderRequest view = request(options);
     view.look_at = LookAt{.eye = {0, 1, 6}, .vertical_fov_deg = 10.0f};
     const bool whole = *cascades == '1';
@@ -244,14 +246,14 @@ TEST(FarShadow, TheMapOfMomentsIsDrawnForEveryEighthPicture) {
 
 // Kept maps are those of a scene: another one may have the same sun, the same bounds and as many casters.
 TEST(FarShadow, KeptMapsAreNotThoseOfAnotherScene) {
-  for (const auto& options :
-       {kStatic, kVsm, std::string("sun_shadows.cascades=6 "), std::string("sun_shadows.cascades=1 ")}) {
+  for (const auto& options : {kStatic, kVsm, std::string("sun_shadows.size=256 sun_shadows.cascades=6 ")}) {
     Engine keeping(validated());
     const auto view = request(options + kStaggered);
-    for (const float z : {0.0f, 1.0f, -1.0f, 0.5f}) {
+    for (const float z : {0.0f, 1.0f, -1.0f}) {
       const Scene roof = Roof{.z = z}.load();
-      const auto kept = keeping.picture(roof, view);
-      EXPECT_EQ(largest_error(kept.linear, picture_of(roof, request(options)).linear), 0.0) << options << z;
+      Engine fresh(validated());
+      EXPECT_EQ(largest_error(keeping.picture(roof, view).linear, fresh.picture(roof, view).linear), 0.0)
+          << options << z;
     }
   }
 }
