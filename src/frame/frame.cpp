@@ -16,21 +16,23 @@ graph::GraphImage add_frame(graph::Graph& g, const FrameInputs& in) {
   const auto drawn = gbuffer::add(g, {in.scene, in.normal_lengths, in.width, in.height});
   const auto rt2 = normal_variance::add(g, {in.scene, drawn.rt0, drawn.rt2, drawn.depth}, in.settings.specular_aa);
   const passes::GBuffer surface{drawn.rt0, drawn.rt1, rt2, drawn.depth};
-  const auto atlas = local_shadows::add(g, {in.scene, in.local_shadows, in.first}, in.settings.local_shadows);
+  const auto local = local_shadows::add(g, {in.scene, in.local_shadows, in.first}, in.settings.local_shadows);
   const auto& sun_settings = in.settings.sun_shadows;
-  const auto cascades = sun_shadows::add(g, {in.scene, in.sun_maps, in.first, sun_settings.slope_bias});
+  const auto sun = sun_shadows::add(g, {in.scene, in.sun_maps, in.first, sun_settings.slope_bias});
   const auto far = far_shadows::add(g, {in.scene, in.far_map, in.first, sun_settings.slope_bias});
   graph::GraphImage sun_mask;
   if (!in.sun_maps.empty())
-    sun_mask = sun_mask::add(g, {in.scene, surface.rt0, surface.depth, cascades, far}, sun_settings);
+    sun_mask = sun_mask::add(g, {in.scene, surface.rt0, surface.depth, sun.depths, far}, sun_settings);
   const passes::ShadingInputs shading{.scene = in.scene,
                                       .environment = in.environment,
                                       .settings = in.settings,
                                       .no_map = in.no_map,
-                                      .shadow_atlas = atlas,
-                                      .sun_cascades = cascades,
+                                      .shadow_atlas = local.atlas,
+                                      .sun_cascades = sun.depths,
                                       .sun_far = far,
-                                      .sun_mask = sun_mask};
+                                      .sun_mask = sun_mask,
+                                      .shadow_veils = local.veils,
+                                      .sun_veils = sun.veils};
   graph::GraphImage lamps;
   if (in.settings.lighting.path == LightingPath::volumes) lamps = light_volumes::add(g, {shading, surface});
   const auto lit = lighting::add(g, {shading, surface, drawn.hdr, lamps});

@@ -92,6 +92,13 @@ void Context::clear_depth(const Area& area) const {
   vkCmdClearAttachments(commands_, 1, &clear, 1, &where);
 }
 
+void Context::clear_color(const Area& area, const std::array<float, 4>& value) const {
+  const VkClearAttachment clear{.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT,
+                                .clearValue = {.color = {.float32 = {value[0], value[1], value[2], value[3]}}}};
+  const VkClearRect where{rect(area), 0, 1};
+  vkCmdClearAttachments(commands_, 1, &clear, 1, &where);
+}
+
 void Context::end_rendering() const {
   vkCmdEndRendering(commands_);
 }

@@ -3,6 +3,7 @@
 #include "gpu/toolbox.hpp"
 #include "graph/graph.hpp"
 
+#include <array>
 #include <deque>
 #include <optional>
 #include <span>
@@ -61,6 +62,8 @@ class Context {
   void set_area(const Area& area) const;
   // Clears the depth of this part to the far plane.
   void clear_depth(const Area& area) const;
+  // Clears this part of the first colour target.
+  void clear_color(const Area& area, const std::array<float, 4>& value) const;
   void end_rendering() const;
 
  private:

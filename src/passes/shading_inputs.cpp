@@ -43,6 +43,19 @@ void bind_sun_shadows(graph::SetWriter& set, const ShadingInputs& in) {
     set.sampled(8, in.environment.background);
 }
 
+// upload/local_veils.glsl, upload/sun_veils.glsl. Where there are none, an array is bound and never read.
+void bind_veils(graph::SetWriter& set, const ShadingInputs& in) {
+  const gpu::Image& none = in.scene.gpu->projectors().array;
+  if (in.shadow_veils.version != 0)
+    set.sampled(14, in.shadow_veils, kNearest);
+  else
+    set.sampled(14, none);
+  if (in.sun_veils.version != 0)
+    set.sampled(15, in.sun_veils, kNearest);
+  else
+    set.sampled(15, none);
+}
+
 }  // namespace
 
 gpu::Specialization shading_constants(const ShadingInputs& in) {
@@ -60,12 +73,14 @@ gpu::Specialization shading_constants(const ShadingInputs& in) {
   set_contact_shadows(in.settings.contact_shadows, constants);
   constants[6] = in.sun_mask.version != 0 ? 1u : 0u;
   constants[15] = static_cast<std::uint32_t>(in.sun_far.kind);
+  constants[12] = (in.sun_veils.version != 0 ? 1u : 0u) | (in.shadow_veils.version != 0 ? 2u : 0u);
   constants[13] = static_cast<std::uint32_t>(in.settings.sun_shadows.taps);
   return constants;
 }
 
 void read(graph::Pass& pass, const ShadingInputs& in, graph::Access access) {
-  for (const auto image : {in.shadow_atlas, in.sun_cascades, in.sun_far.image, in.sun_mask})
+  for (const auto image :
+       {in.shadow_atlas, in.shadow_veils, in.sun_cascades, in.sun_far.image, in.sun_veils, in.sun_mask})
     if (image.version != 0) pass.read(image, access);
 }
 
@@ -83,6 +98,7 @@ void bind(graph::SetWriter& set, const ShadingInputs& in) {
       .buffer(13, in.scene.clip_volumes ? in.scene.clip_volumes : in.scene.lights);
   bind_local_shadows(set, in);
   bind_sun_shadows(set, in);
+  bind_veils(set, in);
 }
 
 void bind(graph::SetWriter& set, const GBuffer& in) {

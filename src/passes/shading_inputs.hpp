@@ -27,6 +27,8 @@ struct ShadingInputs {
   graph::GraphImage sun_cascades;  // depth, a layer a cascade; always there, of one texel where there is no sun
   FarSunMap sun_far;               // beyond the cascades
   graph::GraphImage sun_mask;      // of opaque surfaces: what share of the sun is hidden
+  graph::GraphImage shadow_veils;  // beside the atlas, and beside the cascades: what BLEND surfaces leave of light,
+  graph::GraphImage sun_veils;     // shading/translucency.glsl
 };
 
 // Opaque surfaces: shading/gbuffer.glsl, read through upload/gbuffer_point.glsl.

@@ -100,7 +100,6 @@ void bind(graph::SetWriter& set, const FarSunMap& map, graph::GraphImage unused)
 void draw_sun_map(graph::Context& c, const upload::SceneTables& scene, const SunMap& map, const glm::dvec3& eye,
                   const SunMapDraw& how) {
   const upload::CasterView view{.clip_from_world = clip_from_world(map, eye),
-                                .cull = how.cull,
                                 .state = {.depth_format = how.depth_format, .depth_clamp = true, .depth_bias = true}};
   const auto planes = caster_planes(map);
   for (const auto kind : {upload::CasterKind::opaque, upload::CasterKind::cutout})

@@ -82,11 +82,11 @@ void bind(graph::SetWriter& set, const FarSunMap& map, graph::GraphImage unused)
 // How casters are drawn into a map, between begin_rendering() and end_rendering() of its depth.
 struct SunMapDraw {
   VkFormat depth_format = VK_FORMAT_UNDEFINED;
-  VkCullModeFlags cull = VK_CULL_MODE_BACK_BIT;
   upload::CasterChoice casters = upload::CasterChoice::all;
 };
 
-// Opaque casters and cutouts, of what the map sees. The depth bias is dynamic, and the caller's.
+// Opaque casters and cutouts, of what the map sees, both sides of their surfaces. The depth bias is dynamic, and the
+// caller's.
 void draw_sun_map(graph::Context& c, const upload::SceneTables& scene, const SunMap& map, const glm::dvec3& eye,
                   const SunMapDraw& how);
 

@@ -28,10 +28,12 @@ struct SunShadows {
   Cascade cascades[6];  // kMaxCascades, near to far; GLSL 4.60 and C++ agree on a literal only
   Cascade beyond;       // one of the whole scene, for points that no other holds; upload/far_shadows.glsl
   uint cascade_count;
+  uint veiled;          // bit i: BLEND surfaces stand in map i's way of light
 };
 CHECK_LAYOUT(SunShadows, cascades, 48);
 CHECK_LAYOUT(SunShadows, beyond, 336);
 CHECK_LAYOUT(SunShadows, cascade_count, 384);
+CHECK_LAYOUT(SunShadows, veiled, 388);
 
 FN vec3 to_light_space(IN(SunShadows) sun, vec3 v) {
   return vec3(dot(vec3(sun.axis_x.x, sun.axis_x.y, sun.axis_x.z), v),

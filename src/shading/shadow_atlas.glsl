@@ -24,7 +24,8 @@ struct ShadowView {
   vec4 down;     // the same for y
   vec4 forward;  // xyz: unit axis; w: distance of the near plane, metres
   vec4 tile;     // x: half its side less half a texel, in atlas coordinates, 0: nothing stands in the view's way;
-                 // y: widest filter and z: a texel, in tangents
+                 // y: widest filter and z: a texel, in tangents; w: 1 / depth of the nearest BLEND
+                 // surface along the axis, metres, 0: there is none
 };
 CHECK_LAYOUT(ShadowView, right, 0);
 CHECK_LAYOUT(ShadowView, forward, 32);

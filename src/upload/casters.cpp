@@ -114,6 +114,10 @@ CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment,
   return table;
 }
 
+bool has_translucent(const CasterTable& table) {
+  return !table.casters.empty() && table.casters.back().kind == CasterKind::translucent;
+}
+
 scene::Aabb bounds_of(const CasterTable& table, CasterChoice choice) {
   scene::Aabb bounds;
   for (const auto& caster : table.casters)
@@ -134,6 +138,14 @@ std::vector<Draw> visible_casters(const CasterTable& table, CasterKind kind, std
       draws.push_back(caster.draw);
   }
   return draws;
+}
+
+gpu::RasterState veil_state(VkFormat veils, VkFormat depth, bool depth_clamp) {
+  return {.color_formats = {veils},
+          .depth_format = depth,
+          .depth_write = false,
+          .depth_clamp = depth_clamp,
+          .blend = gpu::Blend::veil};
 }
 
 void draw_casters(gpu::Toolbox& tools, VkCommandBuffer commands, const SceneTables& tables, std::span<const Draw> draws,

@@ -5,6 +5,7 @@
 #include "gpu/toolbox.hpp"
 #include "upload/draws.hpp"
 
+#include <array>
 #include <span>
 
 namespace velarium::upload {
@@ -39,17 +40,27 @@ struct CasterTable {
                                                 std::span<const glm::dvec4> planes,
                                                 CasterChoice choice = CasterChoice::all);
 
+[[nodiscard]] bool has_translucent(const CasterTable& table);
+
 // How casters are drawn.
 struct CasterView {
-  glm::mat4 clip_from_world{1.0f};               // from the scene's axes with their origin at the eye; reversed-Z
-  VkCullModeFlags cull = VK_CULL_MODE_BACK_BIT;  // of single-sided surfaces; double-sided ones are never culled
-  gpu::RasterState state;                        // formats, bias, blending: all but topology, vertices and constants
+  glm::mat4 clip_from_world{1.0f};  // from the scene's axes with their origin at the eye; reversed-Z
+  // Of single-sided surfaces; double-sided ones are never culled. Light stops at both sides of a surface, as it does
+  // for the path tracer: walls of one sheet that look into a room keep the sun out of it.
+  VkCullModeFlags cull = VK_CULL_MODE_NONE;
+  gpu::RasterState state;  // formats, bias, blending: all but topology, vertices and constants
 };
 
+// A map where no BLEND surface stands: shading/translucency.glsl.
+inline constexpr std::array<float, 4> kNoVeil{1.0f, 1.0f, 1.0f, 0.0f};
+
+// Of CasterView, for translucent casters: they test depth without writing or biasing it, so that what opaque casters
+// hide dyes nothing.
+[[nodiscard]] gpu::RasterState veil_state(VkFormat veils, VkFormat depth, bool depth_clamp);
+
 // Draws casters of one kind, between begin_rendering() and end_rendering(): opaque ones and cutouts into depth alone,
-// translucent ones into a colour target with Blend::veil, cleared to (1, 1, 1, 0): rgb becomes what passes them all, a
-// the depth of the one nearest to the light. Their state does not write depth, so that what opaque casters hide dyes
-// nothing.
+// translucent ones into a colour target by veil_state(), cleared to kNoVeil: rgb becomes what passes them all, a the
+// depth of the one nearest to the light.
 void draw_casters(gpu::Toolbox& tools, VkCommandBuffer commands, const SceneTables& scene, std::span<const Draw> draws,
                   CasterKind kind, const CasterView& view);
 

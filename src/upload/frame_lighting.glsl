@@ -10,7 +10,9 @@
 #include "upload/clip_volumes.glsl"
 #include "upload/gpu_structs.glsl"
 #include "upload/local_shadows.glsl"
+#include "upload/local_veils.glsl"
 #include "upload/projectors.glsl"
+#include "upload/sun_veils.glsl"
 
 layout(set = 1, binding = 0) uniform samplerCube environment_map;      // pre-convolved levels
 layout(set = 1, binding = 1) uniform sampler2D environment_brdf_table; // E0, E1 by (n.v, smoothness)
@@ -106,6 +108,8 @@ vec3 reflected(ShadingPoint p, GpuLight l, LightSample light) {
   vec3 radiance = reflected_openly(p, light);
   if (kLocalShadows != 0u && l.shadow_view != 0u && radiance != vec3(0.0))
     radiance *= local_visibility(l, p.position_ws);
+  if ((kTranslucentShadows & kLocalVeils) != 0u && l.shadow_view != 0u && radiance != vec3(0.0))
+    radiance *= local_transmittance(l, p.position_ws);
   return radiance == vec3(0.0) ? radiance : radiance * contact_visibility(p, l, light.wi);
 }
 
@@ -114,8 +118,10 @@ vec3 reflected(ShadingPoint p, GpuLight l, LightSample light) {
 vec3 light_directional(ShadingPoint p, uint index) {
   GpuLight l = lights[index];
   vec3 radiance = reflected(p, l, sample_directional(l));
-  if (kSunShadows != 0u && index == frame.sun_light && radiance != vec3(0.0)) radiance *= sun_visibility(p);
-  return radiance;
+  if (kSunShadows == 0u || index != frame.sun_light || radiance == vec3(0.0)) return radiance;
+  radiance *= sun_visibility(p);
+  bool veiled = (kTranslucentShadows & kSunVeils) != 0u && radiance != vec3(0.0);
+  return veiled ? radiance * sun_transmittance(p.position_ws) : radiance;
 }
 
 vec3 light_point(ShadingPoint p, uint index) {

@@ -62,6 +62,22 @@ TEST(SunShadow, NoPlaneShadowsItself) {
   }
 }
 
+// A wall that looks away from the sun, into the room that it belongs to, keeps the sun out.
+TEST(SunShadow, BothSidesOfSurfacesCastShadows) {
+  for (const float side : {-1.0f, 1.0f}) {
+    GltfWriter scene;
+    const int matt = scene.add_material({});
+    scene.add_quad(matt, {0, 0, 0}, {0, 1, 0}, {8, 8});
+    scene.add_quad(matt, {0, 1, 0}, {0, side, 0}, {1, 1});
+    scene.add_light({.type = "directional", .intensity = 10.0f, .direction = {-1, -1, 0}});
+    look_down(scene, 3.0f, 2.0f);
+    constexpr std::uint32_t kSize = 64;
+    const auto share = shadow_of(scene.load(), request(kSize, "sun_shadows.size=512"));
+    // The shadow's middle is at x = -1, three quarters down the middle column.
+    EXPECT_EQ(share[std::size_t{48} * kSize + kSize / 2], 0.0f) << side;
+  }
+}
+
 // Shadows begin at the foot of what casts them: within twice what the receiver is lifted by.
 TEST(SunShadow, TouchesTheFootOfABox) {
   GltfWriter scene;

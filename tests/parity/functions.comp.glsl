@@ -19,6 +19,7 @@
 #include "shading/sphere_light.glsl"
 #include "shading/tile_culling.glsl"
 #include "shading/tonemap.glsl"
+#include "shading/translucency.glsl"
 #include "shading/variance_shadow.glsl"
 
 layout(local_size_x = 64) in;

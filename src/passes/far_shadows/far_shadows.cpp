@@ -105,10 +105,10 @@ graph::GraphImage add_depth(graph::Graph& graph, const Inputs& in, graph::GraphI
 
 graph::GraphImage add_moments(graph::Graph& graph, const Inputs& in, graph::GraphImage moments) {
   const auto side = static_cast<std::uint32_t>(in.map.map().size);
-  // Both sides, as single sheets have no other [Crytek 2011]; no bias, as a plane's moments are its own.
+  // No bias, as a plane's moments are its own.
   const auto depth =
       add_depth(graph, in, graph.image("depth", {.format = kDepthFormat, .width = side, .height = side, .array = true}),
-                {.depth_format = kDepthFormat, .cull = VK_CULL_MODE_NONE}, 0.0f);
+                {.depth_format = kDepthFormat}, 0.0f);
   const auto half_blurred =
       graph.image("moments", {.format = kMomentFormat, .width = side, .height = side, .layers = 2, .array = true});
   const auto rows = add_blur(graph, depth, half_blurred, false, in.map.blur_deviation());

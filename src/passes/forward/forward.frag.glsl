@@ -52,7 +52,8 @@ void main() {
   FragmentInput f = FragmentInput(in_normal_ws, in_tangent_ws, in_uv, in_color, gl_FrontFacing);
   vec4 base_color = material_base_color(f);
   bool unlit = (material.flags & kMaterialUnlit) != 0u || dot(f.normal_ws, f.normal_ws) == 0.0;
-  vec3 radiance = unlit ? base_color.rgb : shade(f, base_color.rgb);
   float alpha = clamp(base_color.a, 0.0, 1.0);
+  own_veil = blend_transmittance(clamp(base_color.rgb, 0.0, 1.0), alpha);
+  vec3 radiance = unlit ? base_color.rgb : shade(f, base_color.rgb);
   out_hdr = vec4(min(radiance, kMaxRadiance) * alpha, alpha);
 }

@@ -28,14 +28,16 @@ bool same_view(const View& a, const glm::dvec3& a_position, const View& b, const
 
 }  // namespace
 
-std::uint64_t fingerprint(const View& view, const glm::dvec3& eye, const upload::CasterTable& casters) {
+std::uint64_t fingerprint(const View& view, const glm::dvec3& eye, const upload::CasterTable& casters,
+                          bool translucent) {
   std::vector<glm::dvec4> planes;
   const double tangent = view.half_tangent + static_cast<double>(view.kernel);
   for (const auto& side : pyramid_solid(view.position + eye, view.axes, tangent, view.reach))
     planes.push_back(side.plane);
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const auto& caster : casters.casters) {
-    if (caster.kind == upload::CasterKind::translucent || !upload::overlaps(planes, caster.bounds)) continue;
+    if (caster.kind == upload::CasterKind::translucent && !translucent) continue;
+    if (!upload::overlaps(planes, caster.bounds)) continue;
     hash = mixed(mixed(hash, caster.draw.primitive), caster.draw.material);
     for (int axis = 0; axis < 3; ++axis)
       hash = mixed(mixed(hash, std::bit_cast<std::uint32_t>(caster.bounds.min[axis])),

@@ -10,8 +10,9 @@
 namespace velarium::local_shadows {
 
 // What a map shows, in a number: bounds and meshes of the casters it sees. Vertices that move within equal bounds are
-// not noticed.
-[[nodiscard]] std::uint64_t fingerprint(const View& view, const glm::dvec3& eye, const upload::CasterTable& casters);
+// not noticed. translucent: do such casters count?
+[[nodiscard]] std::uint64_t fingerprint(const View& view, const glm::dvec3& eye, const upload::CasterTable& casters,
+                                        bool translucent);
 
 class MapKeeper {
  public:

@@ -9,6 +9,7 @@ namespace velarium::local_shadows {
 // Maps of depth of point and spot lights in one image, which is allocated once for each size of it.
 struct Maps {
   gpu::Image atlas;            // depth, reversed: 1 near the light, 0 far; D32F
+  gpu::Image veils;            // beside it: shading/translucency.glsl, RGBA16F; null where nothing is veiled
   std::vector<MapDraw> draws;  // that this picture needs
   MapKeeper keeper;            // of what the atlas holds, where settings.updates bounds the draws
   std::uint64_t scene_id = 0;  // of what the keeper speaks of
@@ -26,7 +27,12 @@ struct Inputs {
   bool first = true;  // the first frame of a picture draws, the others read
 };
 
-// The atlas, for GpuLight::shadow_view and SceneTables::shadow_views; version 0 where no light has a map.
-[[nodiscard]] graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings& settings);
+struct Outputs {
+  graph::GraphImage
+      atlas;  // for GpuLight::shadow_view and SceneTables::shadow_views; version 0 where no light has a map
+  graph::GraphImage veils;  // version 0 where nothing translucent stands in a light's way
+};
+
+[[nodiscard]] Outputs add(graph::Graph& graph, const Inputs& in, const Settings& settings);
 
 }  // namespace velarium::local_shadows

@@ -20,7 +20,8 @@ shading::ShadowView shadow_view(const View& view, const Tile& tile, std::uint32_
   return {.right = glm::vec4(scale * view.axes[0], (tile.x + 0.5 * size) / side),
           .down = glm::vec4(scale * view.axes[1], (tile.y + 0.5 * size) / side),
           .forward = glm::vec4(view.axes[2], view.near),
-          .tile = glm::vec4((0.5 * size - 0.5) / side, view.kernel, 2.0 * tangent / size, 0.0)};
+          .tile = glm::vec4((0.5 * size - 0.5) / side, view.kernel, 2.0 * tangent / size,
+                            view.nearest_veil > 0.0 ? 1.0 / view.nearest_veil : 0.0)};
 }
 
 glm::mat4 clip_from_world(const View& view, const Tile& tile) {
@@ -33,7 +34,7 @@ glm::mat4 clip_from_world(const View& view, const Tile& tile) {
 }
 
 MapDraw map_draw(const View& view, const Tile& tile, const glm::dvec3& eye) {
-  MapDraw draw{.tile = tile, .clip_from_world = clip_from_world(view, tile)};
+  MapDraw draw{.tile = tile, .clip_from_world = clip_from_world(view, tile), .veiled = view.nearest_veil > 0.0};
   for (const auto& side : pyramid_solid(view.position + eye, view.axes, tile_tangent(view, tile), view.reach))
     draw.planes.push_back(side.plane);
   return draw;

@@ -14,6 +14,7 @@ struct MapDraw {
   Tile tile;
   glm::mat4 clip_from_world{1.0f};  // from the scene's axes with their origin at the eye
   std::vector<glm::dvec4> planes;   // of what the map sees: world space, inward normals
+  bool veiled = false;              // do translucent casters stand in it?
 };
 
 struct Plan {

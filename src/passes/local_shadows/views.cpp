@@ -2,11 +2,14 @@
 
 #include "shading/host.hpp"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 
 namespace velarium::local_shadows {
 namespace {
@@ -89,16 +92,24 @@ bool cone_reaches(const GpuLight& light, const dvec3& axis) {
   return between < std::acos(std::clamp(static_cast<double>(light.cone.z), 0.0, 1.0)) + kCornerAngle;
 }
 
+struct NearCasters {
+  std::vector<scene::Aabb> solids, veils;  // opaque ones and cutouts; translucent ones
+};
+
 // What all lights of a picture share.
 struct Surroundings {
   const Viewer& viewer;
   const upload::CasterTable& casters;
+  bool translucent;  // do such casters count?
   Box bounds;
   Solid seen, scene;
   glm::dmat4 clip_from_world;  // relative to the eye
 
-  Surroundings(const Viewer& viewer_in, const upload::CasterTable& casters_in)
-      : viewer(viewer_in), casters(casters_in), bounds(bounds_of(casters_in, viewer_in.view.eye)) {
+  Surroundings(const Viewer& viewer_in, const upload::CasterTable& casters_in, bool translucent_in)
+      : viewer(viewer_in),
+        casters(casters_in),
+        translucent(translucent_in),
+        bounds(bounds_of(casters_in, viewer_in.view.eye)) {
     seen = view_solid(viewer.view, farthest_corner(bounds, dvec3(0.0)));
     scene = box_solid(bounds.low, bounds.high);
     clip_from_world = glm::dmat4(viewer.view.clip_from_view) * glm::dmat4(glm::dmat3(viewer.view.view_from_world));
@@ -109,22 +120,39 @@ struct Surroundings {
                        [&](const Side& side) { return glm::dot(dvec3(side.plane), center) + side.plane.w >= -radius; });
   }
 
-  // Opaque ones and cutouts that a light's sphere holds, as boxes.
-  [[nodiscard]] std::vector<scene::Aabb> casters_around(const dvec3& position, double reach) const {
-    std::vector<scene::Aabb> found;
+  // What a light's sphere holds, as boxes.
+  [[nodiscard]] NearCasters casters_around(const dvec3& position, double reach) const {
+    NearCasters found;
     for (const auto& caster : casters.casters) {
-      if (caster.kind == upload::CasterKind::translucent) continue;
+      const bool veil = caster.kind == upload::CasterKind::translucent;
+      if (veil && !translucent) continue;
       const Box box = relative_box(caster.bounds, viewer.view.eye);
-      if (reaches(box, position, reach)) found.push_back({glm::vec3(box.low), glm::vec3(box.high)});
+      if (reaches(box, position, reach))
+        (veil ? found.veils : found.solids).push_back({glm::vec3(box.low), glm::vec3(box.high)});
     }
     return found;
   }
 };
 
-bool any_inside(const Solid& solid, const std::vector<scene::Aabb>& boxes) {
+std::vector<scene::Aabb> inside(const Solid& solid, const std::vector<scene::Aabb>& boxes) {
   std::vector<glm::dvec4> planes;
   for (const auto& side : solid) planes.push_back(side.plane);
-  return std::any_of(boxes.begin(), boxes.end(), [&](const auto& box) { return upload::overlaps(planes, box); });
+  std::vector<scene::Aabb> found;
+  std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(found),
+               [&](const auto& box) { return upload::overlaps(planes, box); });
+  return found;
+}
+
+// Along the view's axis, of what boxes may hold; 0 where there is none.
+double nearest_depth(const View& view, const std::vector<scene::Aabb>& boxes) {
+  if (boxes.empty()) return 0.0;
+  const dvec3& forward = view.axes[2];
+  double nearest = view.reach;
+  for (const auto& box : boxes) {
+    const dvec3 corner = glm::mix(dvec3(box.min), dvec3(box.max), glm::lessThan(forward, dvec3(0.0)));
+    nearest = std::min(nearest, glm::dot(forward, corner - view.position));
+  }
+  return std::max(nearest, view.near);
 }
 
 void add_views(const GpuLight& light, std::uint32_t index, const Surroundings& around, std::vector<View>& views) {
@@ -132,8 +160,8 @@ void add_views(const GpuLight& light, std::uint32_t index, const Surroundings& a
   const double reach =
       std::min(static_cast<double>(shading::light_cull_radius(light)), farthest_corner(around.bounds, position));
   if (!(reach > 0.0) || !around.sees_sphere(position, reach)) return;
-  const auto boxes = around.casters_around(position, reach);
-  if (boxes.empty()) return;
+  const auto near = around.casters_around(position, reach);
+  if (near.solids.empty() && near.veils.empty()) return;
   const double half_tangent = half_tangent_of(light), radius = static_cast<double>(light.color.w);
   const double in_bulb = radius / std::sqrt(1.0 + 2.0 * half_tangent * half_tangent);
   View view{.light = index,
@@ -151,7 +179,9 @@ void add_views(const GpuLight& light, std::uint32_t index, const Surroundings& a
     const Solid pyramid = pyramid_solid(position, view.axes, tangent, reach);
     const std::array<const Solid*, 3> solids{&around.seen, &pyramid, &around.scene};
     view.pixels = covered_share(solids, around.clip_from_world) * around.viewer.size.x * around.viewer.size.y;
-    if (view.pixels <= 0.0 || !any_inside(pyramid, boxes)) continue;
+    const auto veils = inside(pyramid, near.veils);
+    if (view.pixels <= 0.0 || (veils.empty() && inside(pyramid, near.solids).empty())) continue;
+    view.nearest_veil = nearest_depth(view, veils);
     pixels += view.pixels;
     views.push_back(view);
   }
@@ -166,10 +196,10 @@ std::uint32_t view_count(const GpuLight& light) {
 }
 
 std::vector<View> wanted_views(std::span<const GpuLight> lights, const Viewer& viewer,
-                               const upload::CasterTable& casters) {
+                               const upload::CasterTable& casters, bool translucent) {
   std::vector<View> views;
   if (casters.casters.empty()) return views;
-  const Surroundings around(viewer, casters);
+  const Surroundings around(viewer, casters, translucent);
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     const bool casts = (lights[i].flags & shading::kLightCastsShadow) != 0;
     if (casts && !shading::is_directional(lights[i])) add_views(lights[i], i, around, views);

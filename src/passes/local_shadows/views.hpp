@@ -34,15 +34,16 @@ struct View {
   float kernel = 0.0f;               // the widest filter, tangents
   double pixels = 0.0;               // of the picture, that what it lights may cover
   double importance = 0.0;           // of the light: candela times pixels
+  double nearest_veil = 0.0;         // of its translucent casters, along forward, metres; 0: there is none
 };
 
 // How many views a light has, seen or not: 1 or 6.
 [[nodiscard]] std::uint32_t view_count(const shading::GpuLight& light);
 
-// The views that matter, light after light and face after face: those that see a caster (opaque or cutout), and light
-// a part of what the viewer may see. Lights that cast no shadow have none, nor has the sun.
+// The views that matter, light after light and face after face: those that see a caster, and light a part of what the
+// viewer may see. Lights that cast no shadow have none, nor has the sun. translucent: do such casters count?
 [[nodiscard]] std::vector<View> wanted_views(std::span<const shading::GpuLight> lights, const Viewer& viewer,
-                                             const upload::CasterTable& casters);
+                                             const upload::CasterTable& casters, bool translucent);
 
 // Texels a side: a power of two within the settings' largest.
 [[nodiscard]] std::uint32_t wanted_size(const View& view, const Settings& settings);

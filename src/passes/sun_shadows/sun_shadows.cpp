@@ -15,8 +15,10 @@ namespace velarium::sun_shadows {
 namespace {
 
 using graph::Access;
+using upload::CasterKind;
 
 constexpr VkFormat kFormat = VK_FORMAT_D32_SFLOAT;
+constexpr VkFormat kVeilFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 // Maps that are kept are larger than what they serve, so that a view that moves stays inside for a while.
 constexpr double kRoom = 1.1;
@@ -71,6 +73,28 @@ void leave_to_static_map(Served& served) {
   served.whole = false;
 }
 
+// Beside maps whose depths are drawn.
+void add_veils(graph::Graph& graph, const Inputs& in, Outputs& out) {
+  auto& pass = graph.pass("sun_veils");
+  pass.read(out.depths, Access::depth_test);
+  out.veils = pass.write(out.veils, Access::color_attachment);
+  pass.run([in, out](graph::Context& c) {
+    const auto& maps = in.maps.maps();
+    const auto& size = c.image(out.veils).desc();
+    for (std::uint32_t i = 0; i < maps.size(); ++i) {
+      if (!in.maps.is_stale(i) || !in.maps.is_veiled(i)) continue;
+      c.begin_rendering({.colors = {{out.veils}}, .depth = out.depths, .depth_writable = false, .layer = i});
+      c.clear_color({0, 0, size.width, size.height}, upload::kNoVeil);
+      const upload::CasterView view{.clip_from_world = clip_from_world(maps[i], in.maps.eye()),
+                                    .state = upload::veil_state(kVeilFormat, kFormat, true)};
+      upload::draw_casters(c.tools(), c.commands(), in.scene,
+                           upload::visible_casters(in.scene.casters, CasterKind::translucent, caster_planes(maps[i])),
+                           CasterKind::translucent, view);
+      c.end_rendering();
+    }
+  });
+}
+
 }  // namespace
 
 // Maps and what shaders know of them, by the sun of the scene. There is one that casts shadows.
@@ -85,8 +109,9 @@ shading::SunShadows Maps::fit_all(const upload::SceneTables& scene, const View& 
   if (settings.far == FarSun::static_map && has_still) leave_to_static_map(served);
   hold_scene_ = served.whole;
   const auto& spheres = served.spheres;
-  const Shared shared{scene.gpu->id(), scene.casters.casters.size(), axes, settings.size,
-                      spheres.size(),  settings.slope_bias};
+  const bool translucent = settings.translucent && upload::has_translucent(scene.casters);
+  const Shared shared{scene.gpu->id(), scene.casters.casters.size(), axes,       settings.size,
+                      spheres.size(),  settings.slope_bias,          translucent};
   const bool keeps = settings.update == MapUpdate::staggered && shared == shared_ && depths_;
   pictures_ = keeps ? pictures_ + 1 : 0;
   shared_ = shared;
@@ -106,7 +131,19 @@ shading::SunShadows Maps::fit_all(const upload::SceneTables& scene, const View& 
     table.cascades[table.cascade_count++] = gpu_cascade(maps_[i], view.eye, penumbra);
   }
   maps_.resize(spheres.size());
+  note_veils(scene.casters, table);
   return table;
+}
+
+// Maps that are kept stay veiled as they are.
+void Maps::note_veils(const upload::CasterTable& casters, shading::SunShadows& table) {
+  veiled_.resize(maps_.size());
+  for (std::size_t i = 0; i < maps_.size(); ++i) {
+    if (stale_[i])
+      veiled_[i] = shared_.translucent &&
+                   !upload::visible_casters(casters, CasterKind::translucent, caster_planes(maps_[i])).empty();
+    if (veiled_[i]) table.veiled |= 1u << i;
+  }
 }
 
 void Maps::fit(gpu::Device& device, upload::SceneTables& scene, const upload::ViewMatrices& view,
@@ -123,26 +160,36 @@ void Maps::fit(gpu::Device& device, upload::SceneTables& scene, const upload::Vi
     scene.host_sun_shadows = fit_all(scene, fit_view(view), settings);
   } else {
     maps_.clear();
+    veiled_.clear();
     shared_ = {};
   }
-  const gpu::ImageDesc desc{.format = kFormat,
-                            .width = wanted ? size : 1,
-                            .height = wanted ? size : 1,
-                            .layers = std::max(static_cast<std::uint32_t>(maps_.size()), 1u),
-                            .array = true};
-  if (depths_ && depths_.desc() == desc) return;
-  depths_ = gpu::Image(
-      device, desc,
-      VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT);
+  allocate(device, wanted ? size : 1);
 }
 
-graph::GraphImage add(graph::Graph& graph, const Inputs& in) {
+void Maps::allocate(gpu::Device& device, std::uint32_t size) {
+  gpu::ImageDesc desc{.format = kFormat,
+                      .width = size,
+                      .height = size,
+                      .layers = std::max(static_cast<std::uint32_t>(maps_.size()), 1u),
+                      .array = true};
+  constexpr VkImageUsageFlags kRead = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  if (!depths_ || depths_.desc() != desc)
+    depths_ = gpu::Image(device, desc, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | kRead);
+  desc.format = kVeilFormat;
+  if (std::find(veiled_.begin(), veiled_.end(), true) == veiled_.end())
+    veils_ = {};
+  else if (!veils_ || veils_.desc() != desc)
+    veils_ = gpu::Image(device, desc, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | kRead);
+}
+
+Outputs add(graph::Graph& graph, const Inputs& in) {
   // Layers that are not drawn hold what was drawn before, or a texel that nothing reads.
-  const auto kept = graph.import("sun_shadows.cascades", in.maps.depths(), true);
-  if (!in.first || in.maps.empty()) return kept;
+  Outputs out{.depths = graph.import("sun_shadows.cascades", in.maps.depths(), true)};
+  if (in.maps.veils()) out.veils = graph.import("sun_veils.cascades", in.maps.veils(), true);
+  if (!in.first || in.maps.empty()) return out;
   auto& pass = graph.pass("sun_shadows");
-  const auto depths = pass.write(kept, Access::depth_attachment);
-  pass.run([in, depths](graph::Context& c) {
+  out.depths = pass.write(out.depths, Access::depth_attachment);
+  pass.run([in, depths = out.depths](graph::Context& c) {
     const auto& maps = in.maps.maps();
     for (std::uint32_t i = 0; i < maps.size(); ++i) {
       if (!in.maps.is_stale(i)) continue;
@@ -153,7 +200,8 @@ graph::GraphImage add(graph::Graph& graph, const Inputs& in) {
       c.end_rendering();
     }
   });
-  return depths;
+  if (in.maps.veils()) add_veils(graph, in, out);
+  return out;
 }
 
 }  // namespace velarium::sun_shadows

@@ -27,8 +27,12 @@ class Maps {
   [[nodiscard]] const std::vector<Map>& maps() const { return maps_; }
   // Is a map to be drawn in the first frame of this picture?
   [[nodiscard]] bool is_stale(std::size_t map) const { return stale_[map]; }
+  // Do BLEND surfaces stand in a map's way of light, as it was drawn last?
+  [[nodiscard]] bool is_veiled(std::size_t map) const { return veiled_[map]; }
   // One layer a map, D32F; of one texel where there are none. Precondition: fit() was called.
   [[nodiscard]] gpu::Image& depths() { return depths_; }
+  // The same size, RGBA16F (shading/translucency.glsl); null where no map is veiled.
+  [[nodiscard]] gpu::Image& veils() { return veils_; }
   [[nodiscard]] const glm::dvec3& eye() const { return eye_; }
 
  private:
@@ -40,18 +44,22 @@ class Maps {
     int size = 0;
     std::size_t maps = 0;
     float slope_bias = 0.0f;
+    bool translucent = false;
     bool operator==(const Shared&) const = default;
   };
   [[nodiscard]] shading::SunShadows fit_all(const upload::SceneTables& scene, const View& view,
                                             const Settings& settings);
+  // size: texels a side.
+  void allocate(gpu::Device& device, std::uint32_t size);
+  void note_veils(const upload::CasterTable& casters, shading::SunShadows& table);
 
   std::vector<Map> maps_;
-  std::vector<bool> stale_;  // by map
+  std::vector<bool> stale_, veiled_;  // by map
   Shared shared_;
   bool hold_scene_ = true;
   std::uint64_t pictures_ = 0;  // since all maps were drawn
   glm::dvec3 eye_{0.0};
-  gpu::Image depths_;
+  gpu::Image depths_, veils_;
 };
 
 struct Inputs {
@@ -61,7 +69,12 @@ struct Inputs {
   float slope_bias = 1.0f;
 };
 
-// Draws the maps. Returns their depths.
-[[nodiscard]] graph::GraphImage add(graph::Graph& graph, const Inputs& in);
+struct Outputs {
+  graph::GraphImage depths;
+  graph::GraphImage veils;  // version 0 where nothing translucent stands in the sun's light
+};
+
+// Draws the maps.
+[[nodiscard]] Outputs add(graph::Graph& graph, const Inputs& in);
 
 }  // namespace velarium::sun_shadows

@@ -54,7 +54,7 @@ upload::CasterTable surroundings() {
 
 std::vector<View> views_of(const GpuLight& light, const upload::CasterTable& table = surroundings()) {
   const auto view = camera();
-  return wanted_views(std::span(&light, 1), {view, {100, 100}}, table);
+  return wanted_views(std::span(&light, 1), {view, {100, 100}}, table, true);
 }
 
 std::vector<std::uint32_t> faces_of(const std::vector<View>& views) {
@@ -130,6 +130,26 @@ TEST(ShadowViews, OnlyLightsThatCastShadowsHaveViews) {
   EXPECT_TRUE(views_of(light).empty());
 }
 
+// Six metres away along +x, a sheet; a box along -x.
+TEST(ShadowViews, TranslucentCastersCountWhereTheyAreWanted) {
+  upload::CasterTable table = casters({{{-4, -1, -11}, {-3, 1, -9}}});
+  table.casters.push_back({{{6, -1, -11}, {6, 1, -9}}, {}, upload::CasterKind::translucent});
+  const GpuLight light = point({0, 0, -10});
+  const auto view = camera();
+  const auto with = wanted_views(std::span(&light, 1), {view, {100, 100}}, table, true);
+  EXPECT_EQ(faces_of(with), (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_NEAR(with[0].nearest_veil, 6.0, 1e-6);
+  EXPECT_EQ(with[1].nearest_veil, 0.0);
+  const auto without = wanted_views(std::span(&light, 1), {view, {100, 100}}, table, false);
+  EXPECT_EQ(faces_of(without), (std::vector<std::uint32_t>{1}));
+
+  const Plan plan = make_plan(place_views(with, Settings{}), std::span(&light, 1), glm::dvec3(0.0), 4096);
+  EXPECT_NEAR(plan.views[0].tile.w, 1.0f / 6.0f, 1e-6f);
+  EXPECT_EQ(plan.views[1].tile.w, 0.0f);
+  EXPECT_TRUE(plan.draws[0].veiled);
+  EXPECT_FALSE(plan.draws[1].veiled);
+}
+
 TEST(ShadowViews, NarrowSpotsHaveOneViewAlongTheirAxis) {
   const auto views = views_of(spot({0, 0, -10}, {1, -1, -1}, 0.5f));
   ASSERT_EQ(views.size(), 1u);
@@ -174,7 +194,7 @@ TEST(ShadowPlan, ShadersFindWhatIsDrawn) {
   const auto view = camera();
   const Settings settings{};
   const auto side = atlas_side(settings);
-  const auto placed = place_views(wanted_views(lights, {view, {100, 100}}, surroundings()), settings);
+  const auto placed = place_views(wanted_views(lights, {view, {100, 100}}, surroundings(), true), settings);
   const Plan plan = make_plan(placed, lights, glm::dvec3(0.0), side);
   EXPECT_EQ(plan.views.size(), 7u);
   EXPECT_EQ(plan.shadow_view, (std::vector<std::uint32_t>{1, 7}));
@@ -204,7 +224,7 @@ TEST(ShadowPlan, FiltersStayInTheirTile) {
   const auto view = camera();
   const Settings settings{};
   const double side = atlas_side(settings);
-  const auto placed = place_views(wanted_views(lights, {view, {100, 100}}, surroundings()), settings);
+  const auto placed = place_views(wanted_views(lights, {view, {100, 100}}, surroundings(), true), settings);
   const Plan plan = make_plan(placed, lights, glm::dvec3(0.0), atlas_side(settings));
   for (const auto& [from, tile, redraw] : placed) {
     ASSERT_TRUE(tile);
@@ -226,7 +246,7 @@ TEST(ShadowPlan, ALightWithoutRoomShinesThrough) {
   const auto view = camera();
   Settings settings{};
   settings.atlas = 256;  // 64 of the smallest tiles, ten lights' worth
-  const auto placed = place_views(wanted_views(lights, {view, {100, 100}}, surroundings()), settings);
+  const auto placed = place_views(wanted_views(lights, {view, {100, 100}}, surroundings(), true), settings);
   const Plan plan = make_plan(placed, lights, glm::dvec3(0.0), atlas_side(settings));
   EXPECT_EQ(std::count(plan.shadow_view.begin(), plan.shadow_view.end(), 0u), 30);
   EXPECT_NE(plan.shadow_view[7], 0u);

@@ -1,0 +1,69 @@
+// What BLEND surfaces leave of the light of points and spots: read beside the atlas of depth, by the same views and with the
+// same kernels (upload/local_shadows.glsl). GLSL only; `frame` is the includer's.
+#ifndef VEL_UPLOAD_LOCAL_VEILS_GLSL
+#define VEL_UPLOAD_LOCAL_VEILS_GLSL
+
+#include "upload/local_shadows.glsl"
+#include "upload/veils.glsl"
+
+layout(set = 1, binding = 14) uniform sampler2DArray shadow_atlas_veils;  // nearest; one layer
+
+// Veils are soft shadows of low contrast: half as many taps show no more noise.
+const uint kLocalVeilTaps = kLocalShadows / 2u;
+
+vec4 local_veil(ShadowReceiver r, vec2 offset_m) {
+  return textureLod(shadow_atlas_veils, vec3(clamp_to_tile(r.view, r.uv + r.uv_from_m * offset_m), 0.0), 0.0);
+}
+
+// Of the veils within the light's cone, means: rgb what passes them; a the share of the way from the light that they stand
+// at, 1 where there is none.
+vec4 find_local_veils(ShadowReceiver r, float light_radius, float noise) {
+  float found = 0.0;
+  vec4 sum = vec4(0.0);
+  float texel_m = r.view.tile.z * r.view_depth;
+  vec2 direction = first_tap_direction(noise);
+  for (uint i = 0u; i < kLocalVeilTaps; ++i) {
+    float radius_m = search_tap_radius(i, kLocalVeilTaps, 0.0, r.widest_m);
+    vec4 veil = local_veil(r, direction * radius_m);
+    float share = r.depth / veil.a;  // infinite where there is none
+    if (share < 1.0 && blocks_light(share * radius_m, (1.0 - share) * light_radius, share * kShadowBorder * texel_m)) {
+      found += 1.0;
+      sum += vec4(past_veil(veil, r.depth), share);
+    }
+    direction = next_tap_direction(direction);
+  }
+  return found > 0.0 ? sum / found : vec4(1.0);
+}
+
+vec3 soft_local_transmittance(ShadowReceiver r, float light_radius, float noise) {
+  vec4 found = find_local_veils(r, light_radius, noise);
+  if (found.a == 1.0) return vec3(1.0);
+  float rho = clamp(penumbra_radius_local(1.0, found.a, light_radius) / r.widest_m, 0.0, 1.0);
+  uint taps = reduced_tap_count(rho, kLocalVeilTaps);
+  float scale = reduced_tap_scale(rho, taps, kLocalVeilTaps);
+  vec4 sum = kUnseenVeilWeight * vec4(found.rgb, 1.0);
+  vec2 direction = first_tap_direction(noise);
+  for (uint i = 0u; i < taps; ++i) {
+    float radius = disc_tap_radius(i, kLocalVeilTaps) * scale;
+    float nearer = tap_clearance(min(radius / max(rho, 1e-6), 1.0), 1.0 - found.a);
+    vec2 offset_m = direction * (radius * r.widest_m);
+    float seen = lit_share(r, offset_m, r.depth / found.a);
+    sum += seen * vec4(past_veil(local_veil(r, offset_m), r.depth / (1.0 - nearer)), 1.0);
+    direction = next_tap_direction(direction);
+  }
+  return sum.rgb / sum.a;
+}
+
+// Precondition: l.shadow_view is not 0.
+vec3 local_transmittance(GpuLight l, vec3 position_ws) {
+  vec3 from_light = position_ws - l.position_range.xyz;
+  uint face = has_one_view(l) ? 0u : shadow_face(from_light);
+  ShadowView view = shadow_views[l.shadow_view - 1u + face];
+  if (shadow_view_depth(view, from_light) * view.tile.w <= 1.0) return vec3(1.0);  // before them all
+  float light_radius = l.color.w;
+  ShadowReceiver r = shadow_receiver(view, from_light, light_radius);
+  if (r.widest_m == 0.0) return bilinear_veil(shadow_atlas_veils, vec3(clamp_to_tile(view, r.uv), 0.0), r.depth);
+  return soft_local_transmittance(r, light_radius, screen_noise(pixel_of(position_ws), frame.frame_index, frame.seed));
+}
+
+#endif
