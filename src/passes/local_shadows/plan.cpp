@@ -17,11 +17,16 @@ double tile_tangent(const View& view, const Tile& tile) {
 shading::ShadowView shadow_view(const View& view, const Tile& tile, std::uint32_t atlas_side) {
   const double side = atlas_side, size = tile.size, tangent = tile_tangent(view, tile);
   const double scale = 0.5 * size / (tangent * side);  // atlas coordinates a tangent
-  return {.right = glm::vec4(scale * view.axes[0], (tile.x + 0.5 * size) / side),
-          .down = glm::vec4(scale * view.axes[1], (tile.y + 0.5 * size) / side),
+  const glm::dvec2 middle = (glm::dvec2(tile.x, tile.y) + 0.5 * size) / side;
+  const bool veiled = view.veils.nearest > 0.0;
+  const glm::dvec2 reach(scale * static_cast<double>(view.kernel) + static_cast<double>(shading::kShadowBorder) / side);
+  return {.right = glm::vec4(scale * view.axes[0], middle.x),
+          .down = glm::vec4(scale * view.axes[1], middle.y),
           .forward = glm::vec4(view.axes[2], view.near),
           .tile = glm::vec4((0.5 * size - 0.5) / side, view.kernel, 2.0 * tangent / size,
-                            view.nearest_veil > 0.0 ? 1.0 / view.nearest_veil : 0.0)};
+                            veiled ? 1.0 / view.veils.nearest : 0.0),
+          .veils = veiled ? glm::vec4(middle + scale * view.veils.low - reach, middle + scale * view.veils.high + reach)
+                          : glm::vec4(0.0f)};
 }
 
 glm::mat4 clip_from_world(const View& view, const Tile& tile) {
@@ -34,7 +39,7 @@ glm::mat4 clip_from_world(const View& view, const Tile& tile) {
 }
 
 MapDraw map_draw(const View& view, const Tile& tile, const glm::dvec3& eye) {
-  MapDraw draw{.tile = tile, .clip_from_world = clip_from_world(view, tile), .veiled = view.nearest_veil > 0.0};
+  MapDraw draw{.tile = tile, .clip_from_world = clip_from_world(view, tile), .veiled = view.veils.nearest > 0.0};
   for (const auto& side : pyramid_solid(view.position + eye, view.axes, tile_tangent(view, tile), view.reach))
     draw.planes.push_back(side.plane);
   return draw;

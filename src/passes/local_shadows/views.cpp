@@ -4,7 +4,6 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -143,16 +142,24 @@ std::vector<scene::Aabb> inside(const Solid& solid, const std::vector<scene::Aab
   return found;
 }
 
-// Along the view's axis, of what boxes may hold; 0 where there is none.
-double nearest_depth(const View& view, const std::vector<scene::Aabb>& boxes) {
-  if (boxes.empty()) return 0.0;
-  const dvec3& forward = view.axes[2];
-  double nearest = view.reach;
-  for (const auto& box : boxes) {
-    const dvec3 corner = glm::mix(dvec3(box.min), dvec3(box.max), glm::lessThan(forward, dvec3(0.0)));
-    nearest = std::min(nearest, glm::dot(forward, corner - view.position));
-  }
-  return std::max(nearest, view.near);
+// Of boxes that reach before the near plane no tangent is known: they may be anywhere.
+VeilBounds veil_bounds(const View& view, const std::vector<scene::Aabb>& boxes) {
+  if (boxes.empty()) return {};
+  const double all = view.half_tangent + static_cast<double>(view.kernel);
+  VeilBounds bounds{view.reach, glm::dvec2(all), glm::dvec2(-all)};
+  for (const auto& box : boxes)
+    for (int i = 0; i < 8; ++i) {
+      const dvec3 corner((i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
+                         (i & 4) != 0 ? box.max.z : box.min.z);
+      const dvec3 way = corner - view.position;
+      const double depth = glm::dot(view.axes[2], way);
+      const glm::dvec2 place(glm::dot(view.axes[0], way), glm::dot(view.axes[1], way));
+      bounds.nearest = std::min(bounds.nearest, depth);
+      bounds.low = depth > view.near ? glm::min(bounds.low, place / depth) : glm::dvec2(-all);
+      bounds.high = depth > view.near ? glm::max(bounds.high, place / depth) : glm::dvec2(all);
+    }
+  bounds.nearest = std::max(bounds.nearest, view.near);
+  return bounds;
 }
 
 void add_views(const GpuLight& light, std::uint32_t index, const Surroundings& around, std::vector<View>& views) {
@@ -181,7 +188,7 @@ void add_views(const GpuLight& light, std::uint32_t index, const Surroundings& a
     view.pixels = covered_share(solids, around.clip_from_world) * around.viewer.size.x * around.viewer.size.y;
     const auto veils = inside(pyramid, near.veils);
     if (view.pixels <= 0.0 || (veils.empty() && inside(pyramid, near.solids).empty())) continue;
-    view.nearest_veil = nearest_depth(view, veils);
+    view.veils = veil_bounds(view, veils);
     pixels += view.pixels;
     views.push_back(view);
   }

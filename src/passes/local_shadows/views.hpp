@@ -23,6 +23,12 @@ struct Viewer {
   glm::uvec2 size{1};  // pixels
 };
 
+// Where a view's translucent casters stand.
+struct VeilBounds {
+  double nearest = 0.0;            // along forward, metres; 0: there is none
+  glm::dvec2 low{0.0}, high{0.0};  // tangents to the right and down, without what filters need around them
+};
+
 // One view from one light, before it has a tile.
 struct View {
   std::uint32_t light = 0;  // into the table of lights
@@ -34,7 +40,7 @@ struct View {
   float kernel = 0.0f;               // the widest filter, tangents
   double pixels = 0.0;               // of the picture, that what it lights may cover
   double importance = 0.0;           // of the light: candela times pixels
-  double nearest_veil = 0.0;         // of its translucent casters, along forward, metres; 0: there is none
+  VeilBounds veils;
 };
 
 // How many views a light has, seen or not: 1 or 6.

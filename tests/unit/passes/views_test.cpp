@@ -138,16 +138,39 @@ TEST(ShadowViews, TranslucentCastersCountWhereTheyAreWanted) {
   const auto view = camera();
   const auto with = wanted_views(std::span(&light, 1), {view, {100, 100}}, table, true);
   EXPECT_EQ(faces_of(with), (std::vector<std::uint32_t>{0, 1}));
-  EXPECT_NEAR(with[0].nearest_veil, 6.0, 1e-6);
-  EXPECT_EQ(with[1].nearest_veil, 0.0);
+  EXPECT_NEAR(with[0].veils.nearest, 6.0, 1e-6);
+  EXPECT_NEAR(with[0].veils.low.x, -1.0 / 6.0, 1e-6);
+  EXPECT_NEAR(with[0].veils.high.y, 1.0 / 6.0, 1e-6);
+  EXPECT_EQ(with[1].veils.nearest, 0.0);
   const auto without = wanted_views(std::span(&light, 1), {view, {100, 100}}, table, false);
   EXPECT_EQ(faces_of(without), (std::vector<std::uint32_t>{1}));
 
   const Plan plan = make_plan(place_views(with, Settings{}), std::span(&light, 1), glm::dvec3(0.0), 4096);
-  EXPECT_NEAR(plan.views[0].tile.w, 1.0f / 6.0f, 1e-6f);
-  EXPECT_EQ(plan.views[1].tile.w, 0.0f);
+  const auto veiled = [&](const glm::vec3& from_light) {
+    const auto& face = plan.views[shading::shadow_face(from_light)];
+    const float depth = shading::shadow_view_depth(face, from_light);
+    return shading::may_be_veiled(face, depth, shading::shadow_view_uv(face, from_light, depth));
+  };
+  EXPECT_TRUE(veiled({7, 0, 0}));
+  EXPECT_TRUE(veiled({7, 1, -1}));
+  EXPECT_FALSE(veiled({5.9f, 0, 0}));  // before it
+  EXPECT_FALSE(veiled({7, 3, 0}));     // beside it
+  EXPECT_FALSE(veiled({-7, 0, 0}));
   EXPECT_TRUE(plan.draws[0].veiled);
   EXPECT_FALSE(plan.draws[1].veiled);
+}
+
+// A sheet that reaches behind the light has no tangents: it may be seen anywhere.
+TEST(ShadowViews, SheetsAroundALightMayBeAnywhere) {
+  upload::CasterTable table;
+  table.casters.push_back({{{-2, -1, -10.5f}, {3, 1, -9.5f}}, {}, upload::CasterKind::translucent});
+  const GpuLight light = point({0, 0, -10});
+  const auto view = camera();
+  for (const auto& from : wanted_views(std::span(&light, 1), {view, {100, 100}}, table, true)) {
+    EXPECT_GE(from.veils.nearest, from.near);
+    EXPECT_LE(from.veils.low.x, -1.0);
+    EXPECT_GE(from.veils.high.x, 1.0);
+  }
 }
 
 TEST(ShadowViews, NarrowSpotsHaveOneViewAlongTheirAxis) {
