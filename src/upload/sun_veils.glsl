@@ -9,7 +9,7 @@
 
 layout(set = 1, binding = 15) uniform sampler2DArray sun_veils;  // nearest
 
-// Veils are soft shadows of low contrast: half as many taps show no more noise.
+// Half as many as opaque casters get, as contrasts are lower: FLIP of penumbrae of dye grows by a fiftieth.
 const uint kSunVeilTaps = kShadowTaps / 2u;
 
 vec4 sun_veil(vec3 place) {
