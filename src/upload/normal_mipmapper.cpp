@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint32_t kShader[] =
 #include "shaders/normal_mips.comp.inc"
     ;
-constexpr std::uint32_t kGroupSize = 8;
+constexpr std::uint32_t kGroupSize = 2 * 8;  // texels: each thread makes two by two
 constexpr VkDeviceSize kMeanBytes = 16;
 
 struct Push {
@@ -17,8 +17,8 @@ struct Push {
   std::uint32_t from_first, to_first, from_base;
 };
 
-std::uint32_t groups(std::uint32_t threads) {
-  return (threads + kGroupSize - 1) / kGroupSize;
+std::uint32_t groups(std::uint32_t texels) {
+  return (texels + kGroupSize - 1) / kGroupSize;
 }
 
 std::uint32_t mip_size(std::uint32_t size, std::uint32_t mip) {

@@ -75,17 +75,25 @@ Texel bump(std::uint32_t x, std::uint32_t y) {
   return encoded({-dx, -dy, 1.0});
 }
 
-// Of all texels of level 0 under one of another level, in double.
+// Of what is seen of level 0 under a texel of another level, in double.
 struct Mean {
   glm::dvec3 direction;
   double length;
 };
 
+// Four texels, and what a filter shows between them: three tenths of what their mean length lacks to 1.
+glm::dvec3 block_mean(const Chain& chain, std::uint32_t x, std::uint32_t y) {
+  glm::dvec3 sum(0.0);
+  for (std::uint32_t i = 0; i < 4; ++i) sum += decoded(chain.get(0, 2 * x + i % 2, 2 * y + i / 2));
+  const double r = 0.25 * glm::length(sum);
+  return glm::normalize(sum) * (1.0 - 0.3 * (1.0 - r));
+}
+
 Mean mean_below(const Chain& chain, std::size_t level, std::uint32_t x, std::uint32_t y) {
-  const std::uint32_t size = 1u << level;
+  const std::uint32_t size = 1u << (level - 1);
   glm::dvec3 sum(0.0);
   for (std::uint32_t j = 0; j < size; ++j)
-    for (std::uint32_t i = 0; i < size; ++i) sum += decoded(chain.get(0, size * x + i, size * y + j));
+    for (std::uint32_t i = 0; i < size; ++i) sum += block_mean(chain, size * x + i, size * y + j);
   return {glm::normalize(sum), glm::length(sum) / (size * size)};
 }
 
@@ -111,6 +119,16 @@ TEST(NormalMips, LengthsOfTexelsDoNotCount) {
   EXPECT_LE(chain.spread(1, 0, 0), 0.008f);
 }
 
+// What level `level` shows of the block of two by two that a texel is in, over what the block has.
+double block_gap(const Chain& chain, std::size_t level, std::uint32_t x, std::uint32_t y) {
+  const std::uint32_t last = (64u >> level) - 1;
+  glm::dvec3 sum(0.0);
+  for (std::uint32_t i = 0; i < 4; ++i)
+    sum += mean_below(chain, level, std::min(x - x % 2 + i % 2, last), std::min(y - y % 2 + i / 2, last)).direction;
+  const double r = 0.25 * glm::length(sum);
+  return r / (1.0 - 0.3 * (1.0 - r));
+}
+
 TEST(NormalMips, AreThoseOfAllTexelsBelow) {
   const Chain chain(64, 64, bump);
   for (const std::size_t level : {1u, 2u, 4u, 6u}) {
@@ -119,20 +137,63 @@ TEST(NormalMips, AreThoseOfAllTexelsBelow) {
       const Mean truth = mean_below(chain, level, place, last - place);
       const Texel texel = chain.get(level, place, last - place);
       EXPECT_GT(glm::dot(decoded(texel), truth.direction), 0.99997) << level;
-      EXPECT_NEAR(chain.spread(level, place, last - place), std::sqrt(2.0 * (1.0 - truth.length) / truth.length),
-                  0.5 / 255.0 + 1e-4)
+      const double r = truth.length * block_gap(chain, level, place, last - place);
+      EXPECT_NEAR(chain.spread(level, place, last - place), std::sqrt(2.0 * (1.0 - r) / r), 0.5 / 255.0 + 1e-4)
           << level;
     }
   }
-  // (1 - r) / r is 0.0373 for slopes of deviation 0.2: the spread is its double's root.
-  EXPECT_NEAR(chain.spread(6, 0, 0), std::sqrt(2.0 * 0.0373), 0.01);
 }
 
-// Half the texels lean by 45 degrees to one side, half to the other: r = cos 45, 2 (1 - r) / r = 0.828.
-TEST(NormalMips, OpposedSlopesSpreadFar) {
-  const Chain chain(4, 4, [](std::uint32_t x, std::uint32_t) { return encoded({x % 2 == 0 ? 1.0 : -1.0, 0.0, 1.0}); });
-  EXPECT_NEAR(chain.spread(1, 0, 0), std::sqrt(0.828), 0.01);
-  EXPECT_NEAR(chain.spread(2, 0, 0), std::sqrt(0.828), 0.01);
+// Of slopes without a pattern a bilinear filter shows 4/9 of the variance: 2/3 along each axis. (1 - r) / r is 0.0171
+// for Gaussian slopes whose deviation is 2/3 of 0.2.
+TEST(NormalMips, SpreadIsWhatFiltersShow) {
+  const Chain chain(64, 64, bump);
+  EXPECT_NEAR(chain.spread(6, 0, 0), std::sqrt(2.0 * 0.0171), 0.005);
+}
+
+// Ripples that are longer than texels: whole periods on a tile.
+Texel ripple(std::uint32_t x, std::uint32_t y) {
+  const double u = glm::radians(360.0 / 64.0) * x, v = glm::radians(360.0 / 64.0) * y;
+  return encoded({0.1 * std::cos(3.0 * u + v), 0.1 * std::cos(2.0 * u - 5.0 * v), 1.0});
+}
+
+// Mean of the squares of all slopes that a bilinear filter shows of a level, and of their spread.
+double shown_variance(const Chain& chain, std::size_t level) {
+  constexpr std::uint32_t kSteps = 4;  // between two texels
+  const std::uint32_t size = 64u >> level, points = size * kSteps;
+  double sum = 0.0;
+  for (std::uint32_t i = 0; i < points * points; ++i) {
+    const std::uint32_t x = i % points, y = i / points, x0 = x / kSteps, y0 = y / kSteps;
+    const std::uint32_t x1 = (x0 + 1) % size, y1 = (y0 + 1) % size;
+    const double fx = (x % kSteps + 0.5) / kSteps, fy = (y % kSteps + 0.5) / kSteps;
+    const auto filtered = [&](const auto& read) {
+      return glm::mix(glm::mix(read(x0, y0), read(x1, y0), fx), glm::mix(read(x0, y1), read(x1, y1), fx), fy);
+    };
+    const glm::dvec3 n = filtered([&](std::uint32_t a, std::uint32_t b) { return decoded(chain.get(level, a, b)); });
+    const double spread =
+        filtered([&](std::uint32_t a, std::uint32_t b) { return static_cast<double>(chain.spread(level, a, b)); });
+    sum += (n.x * n.x + n.y * n.y) / (n.z * n.z) + spread * spread;
+  }
+  return sum / (points * points);
+}
+
+// Normals and spread hold together what the full size shows, at each level: 0.1^2 / 2 along each axis.
+TEST(NormalMips, EachLevelHoldsAllOfTheVariance) {
+  const Chain chain(64, 64, ripple);
+  EXPECT_NEAR(shown_variance(chain, 0), 0.01, 0.0003);
+  for (std::size_t level = 1; level < chain.levels.size(); ++level)
+    EXPECT_NEAR(shown_variance(chain, level), 0.01, 0.0008) << level;
+}
+
+// Columns lean by 20 degrees to one side and to the other. Between them slopes are as frequent from -tan 20 to tan 20:
+// r = asinh(tan 20) / tan 20 = 0.9785, 2 (1 - r) / r = 0.0439.
+TEST(NormalMips, OpposedSlopesSpread) {
+  const double slope = std::tan(glm::radians(20.0));
+  const Chain chain(4, 4, [&](std::uint32_t x, std::uint32_t) {
+    return encoded({x % 2 == 0 ? slope : -slope, 0.0, 1.0});
+  });
+  EXPECT_NEAR(chain.spread(1, 0, 0), std::sqrt(0.0439), 0.02);
+  EXPECT_NEAR(chain.spread(2, 0, 0), std::sqrt(0.0439), 0.02);
   EXPECT_EQ(chain.get(2, 0, 0)[2], 255);
 }
 
