@@ -22,7 +22,7 @@ graph::GraphImage add_frame(graph::Graph& g, const FrameInputs& in) {
   const auto far = far_shadows::add(g, {in.scene, in.far_map, in.first, sun_settings.slope_bias});
   graph::GraphImage sun_mask;
   if (!in.sun_maps.empty())
-    sun_mask = sun_mask::add(g, {in.scene, surface.rt0, surface.depth, sun.depths, far}, sun_settings);
+    sun_mask = sun_mask::add(g, {in.scene, surface.rt0, surface.depth, sun.depths, far}, in.settings);
   const passes::ShadingInputs shading{.scene = in.scene,
                                       .environment = in.environment,
                                       .settings = in.settings,

@@ -8,14 +8,6 @@ namespace {
 constexpr gpu::SamplerDesc kNearest{
     .mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST, .mip = VK_SAMPLER_MIPMAP_MODE_NEAREST};
 
-// Constants 10, 18 and 19: upload/contact_shadows.glsl.
-void set_contact_shadows(const Settings::contact_shadows_settings& contact, gpu::Specialization& constants) {
-  if (!contact.enabled) return;
-  constants[10] = static_cast<std::uint32_t>(contact.steps);
-  constants[18] = std::bit_cast<std::uint32_t>(contact.length);
-  constants[19] = std::bit_cast<std::uint32_t>(contact.thickness);
-}
-
 // Constants 8, 11 and 14: what lamps there are, and how narrow their highlights may be.
 void set_lamps(const ShadingInputs& in, gpu::Specialization& constants) {
   const auto& lighting = in.settings.lighting;
@@ -58,6 +50,14 @@ void bind_veils(graph::SetWriter& set, const ShadingInputs& in) {
 
 }  // namespace
 
+void set_contact_shadows(const Settings::contact_shadows_settings& contact, gpu::Specialization& constants) {
+  if (!contact.enabled) return;
+  constants[10] = static_cast<std::uint32_t>(contact.steps);
+  constants[16] = contact.without_map ? 1u : 0u;
+  constants[18] = std::bit_cast<std::uint32_t>(contact.length);
+  constants[19] = std::bit_cast<std::uint32_t>(contact.thickness);
+}
+
 gpu::Specialization shading_constants(const ShadingInputs& in) {
   const auto& lighting = in.settings.lighting;
   const bool multi_scatter = lighting.multi_scatter && lighting.model == ShadingModel::gltf;
@@ -70,7 +70,8 @@ gpu::Specialization shading_constants(const ShadingInputs& in) {
   if (in.shadow_atlas.version != 0) constants[7] = static_cast<std::uint32_t>(in.settings.local_shadows.taps);
   set_lamps(in, constants);
   constants[9] = in.scene.clip_volumes ? 1u : 0u;
-  set_contact_shadows(in.settings.contact_shadows, constants);
+  const auto& contact = in.settings.contact_shadows;
+  if (in.shadow_atlas.version != 0 || contact.without_map) set_contact_shadows(contact, constants);
   constants[6] = in.sun_mask.version != 0 ? 1u : 0u;
   constants[15] = static_cast<std::uint32_t>(in.sun_far.kind);
   constants[12] = (in.sun_veils.version != 0 ? 1u : 0u) | (in.shadow_veils.version != 0 ? 2u : 0u);

@@ -43,6 +43,9 @@ inline constexpr std::size_t kSharedConstants = 20;
 // Those constants; 0 belongs to the material.
 [[nodiscard]] gpu::Specialization shading_constants(const ShadingInputs& in);
 
+// Those of upload/contact_shadows.glsl: 10, 16, 18 and 19.
+void set_contact_shadows(const Settings::contact_shadows_settings& contact, gpu::Specialization& constants);
+
 // Declares that a pass reads, in this way, what earlier passes made of these.
 void read(graph::Pass& pass, const ShadingInputs& in, graph::Access access);
 void read(graph::Pass& pass, const GBuffer& in, graph::Access access);

@@ -10,6 +10,11 @@
 // The march starts this far above the surface, in pixels, where curved surfaces leave the plane that they are taken for.
 const float kContactLift = 0.25f;
 
+// Of a light with a map, contact shadows are what the map is too coarse for: no longer than so many of its texels, and of
+// blockers no thicker than one. Longer ones find little more, thicker ones add what is not there: against the path tracer
+// (docs/techniques/contact_shadows.md).
+const float kContactTexels = 6.0f;
+
 // Shadows fade over the last quarter of the ray, so that none ends at an edge of its own.
 const float kContactFade = 0.25f;
 

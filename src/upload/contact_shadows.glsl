@@ -8,6 +8,7 @@
 #include "upload/gpu_structs.glsl"
 
 layout(constant_id = 10) const uint kContactShadows = 0u;      // most samples a ray takes; 0: there are none
+layout(constant_id = 16) const uint kContactWithoutMap = 0u;   // 1: of lights that have no map, too
 layout(constant_id = 18) const float kContactLength = 0.0;     // of a ray, as a share of the picture's height
 layout(constant_id = 19) const float kContactThickness = 0.0;  // of what blocks it, the same
 
@@ -26,6 +27,11 @@ float contact_depth(ivec2 pixel) {
   return outside ? 0.0 : texelFetch(depth_map, pixel, 0).r;
 }
 
+// The place in the picture, pixels.
+vec2 clip_pixel(vec4 clip) {
+  return (clip.xy / clip.w * 0.5 + 0.5) * frame.size.xy;
+}
+
 ContactReceiver contact_receiver_at(ivec2 pixel, float view_depth, vec3 position_ws, vec3 normal_ws) {
   ContactReceiver r;
   float at = contact_depth(pixel);
@@ -38,39 +44,64 @@ ContactReceiver contact_receiver_at(ivec2 pixel, float view_depth, vec3 position
   return r;
 }
 
-// What near surfaces leave of the light from direction `wi`, which comes from `distance` metres away.
+// Where a ray towards a light is looked for in the picture.
+struct ContactRay {
+  vec4 from, way;         // of clip space
+  vec2 depth;             // view depth at its start, and how that changes along it, metres
+  vec2 own;               // the centre of the receiver's pixel
+  float thickness_m;
+  uint steps;
+};
+
+ContactRay contact_ray(ContactReceiver r, vec3 wi, float length_m, float thickness_m) {
+  vec3 way_ws = wi * length_m;
+  ContactRay ray;
+  ray.from = frame.clip_from_world * vec4(r.start_ws, 1.0);
+  ray.way = frame.clip_from_world * vec4(way_ws, 0.0);
+  ray.depth.x = -(frame.view_from_world * vec4(r.start_ws, 1.0)).z;
+  ray.depth.y = -(frame.view_from_world * vec4(way_ws, 0.0)).z;
+  vec2 pixel_from = clip_pixel(ray.from), pixel_to = clip_pixel(ray.from + ray.way);
+  vec2 passed = abs(pixel_to - pixel_from);
+  ray.steps = contact_steps(max(passed.x, passed.y), kContactShadows);
+  ray.own = floor(pixel_from) + 0.5;
+  ray.thickness_m = thickness_m;
+  return ray;
+}
+
+// Is the ray blocked where it is seen at `place`, in pixels, so far along it? Where that lies beside the centre of its
+// pixel, the depth there is taken to the place by the slope of the receiver: on a plane that is exact, so that no plane
+// shadows itself. The receiver's own pixel shows the receiver: at an edge, where the slope may be another face's, it must
+// not shadow itself either.
+bool contact_hit(ContactReceiver r, ContactRay ray, vec2 place, float along) {
+  vec2 center = floor(place) + 0.5;
+  float surface = contact_depth(ivec2(place));
+  float surface_m = view_depth(surface + dot(r.slope, place - center), frame.depth_params);
+  bool elsewhere = any(greaterThan(abs(center - ray.own), vec2(0.5)));
+  return elsewhere && surface > 0.0 && contact_blocked(ray.depth.x + along * ray.depth.y, surface_m, ray.thickness_m);
+}
+
+// What near surfaces leave of the light from direction `wi`, which comes from `distance` metres away and whose map has
+// texels of `texel_m` metres at the receiver; kUnboundedRadius where it has none.
 //
 // Points of the ray are linear in view space, so that its depth is too; its place in the picture is the quotient of what
-// is linear in clip space. Where a sample lies beside the centre of its pixel, the depth there is taken to the sample's
-// place by the slope of the receiver: on a plane that is exact, so that no plane shadows itself.
-float contact_visibility(ContactReceiver r, vec3 wi, float distance) {
-  if (kContactShadows == 0u) return 1.0;
-  float length_m = min(kContactLength * frame.size.y * r.footprint_m, distance);
-  float thickness_m = kContactThickness * frame.size.y * r.footprint_m;
-  vec3 way = wi * length_m;
-  vec4 from = frame.clip_from_world * vec4(r.start_ws, 1.0);
-  vec4 to = from + frame.clip_from_world * vec4(way, 0.0);
-  float depth_from = -(frame.view_from_world * vec4(r.start_ws, 1.0)).z;
-  float depth_change = -(frame.view_from_world * vec4(way, 0.0)).z;
-  vec2 pixel_from = (from.xy / from.w * 0.5 + 0.5) * frame.size.xy;
-  vec2 pixel_to = (to.xy / to.w * 0.5 + 0.5) * frame.size.xy;
-  vec2 passed = abs(pixel_to - pixel_from);
-  uint steps = contact_steps(max(passed.x, passed.y), kContactShadows);
-
+// is linear in clip space. The loop has one way out, at its end: drivers that run pixels in lockstep lose track of others.
+float contact_visibility(ContactReceiver r, vec3 wi, float distance, float texel_m) {
+  if (kContactShadows == 0u || texel_m == 0.0) return 1.0;
+  float height_m = frame.size.y * r.footprint_m;  // of the picture
+  float length_m = min(kContactLength * height_m, min(distance, kContactTexels * texel_m));
+  ContactRay ray = contact_ray(r, wi, length_m, min(kContactThickness * height_m, texel_m));
+  float visible = 1.0;
+  bool marching = true;
   uint i = 0u;
   do {
-    float along = (float(i) + 1.0 - r.jitter) / float(steps);
-    vec4 clip = mix(from, to, along);
-    vec2 place = (clip.xy / clip.w * 0.5 + 0.5) * frame.size.xy;
-    if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(place, frame.size.xy))) return 1.0;
-    vec2 center = floor(place) + 0.5;
-    float surface = texelFetch(depth_map, ivec2(place), 0).r;
-    float ray_m = depth_from + along * depth_change;
-    float surface_m = view_depth(surface + dot(r.slope, place - center), frame.depth_params);
-    if (surface > 0.0 && contact_blocked(ray_m, surface_m, thickness_m))
-      return 1.0 - contact_darkness(along) * contact_border(place, frame.size.xy);
-  } while (++i < steps);
-  return 1.0;
+    float along = (float(i) + 1.0 - r.jitter) / float(ray.steps);
+    vec2 place = clip_pixel(ray.from + along * ray.way);
+    bool inside = all(greaterThanEqual(place, vec2(0.0))) && all(lessThan(place, frame.size.xy));
+    bool hit = inside && contact_hit(r, ray, place, along);
+    if (hit) visible = 1.0 - contact_darkness(along) * contact_border(place, frame.size.xy);
+    marching = inside && !hit;
+  } while (marching && ++i < ray.steps);
+  return visible;
 }
 
 #endif

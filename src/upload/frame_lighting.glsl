@@ -87,7 +87,7 @@ vec3 environment_light(ShadingPoint p, FrameUniforms frame) {
 // What near surfaces leave of the light that comes from direction `wi`. The includer defines it.
 float contact_visibility(ShadingPoint p, GpuLight l, vec3 wi);
 
-// The share of the sun, frame.sun_light, that reaches the point. The includer defines it.
+// The share of the sun, frame.sun_light, that reaches the point past what is far and near. The includer defines it.
 float sun_visibility(ShadingPoint p);
 
 // What of a lamp's light would go towards the eye if nothing stood in its way.
@@ -102,10 +102,15 @@ vec3 reflected_openly(ShadingPoint p, LightSample light) {
   return light.sine < 1.0 ? brdf * light.irradiance : vec3(0.0);
 }
 
+// The same within the light's clip volume.
+vec3 reflected_inside(ShadingPoint p, GpuLight l, LightSample light) {
+  if (!inside_clip_volume(l.clip_volume, p.position_ws, p.surface.normal_ws)) return vec3(0.0);
+  return reflected_openly(p, light);
+}
+
 // What of a lamp's light goes towards the eye.
 vec3 reflected(ShadingPoint p, GpuLight l, LightSample light) {
-  if (!inside_clip_volume(l.clip_volume, p.position_ws, p.surface.normal_ws)) return vec3(0.0);
-  vec3 radiance = reflected_openly(p, light);
+  vec3 radiance = reflected_inside(p, l, light);
   if (kLocalShadows != 0u && l.shadow_view != 0u && radiance != vec3(0.0))
     radiance *= local_visibility(l, p.position_ws);
   if ((kTranslucentShadows & kLocalVeils) != 0u && l.shadow_view != 0u && radiance != vec3(0.0))
@@ -117,8 +122,10 @@ vec3 reflected(ShadingPoint p, GpuLight l, LightSample light) {
 // every way to find the lamps of a pixel sees it.
 vec3 light_directional(ShadingPoint p, uint index) {
   GpuLight l = lights[index];
-  vec3 radiance = reflected(p, l, sample_directional(l));
-  if (kSunShadows == 0u || index != frame.sun_light || radiance == vec3(0.0)) return radiance;
+  LightSample light = sample_directional(l);
+  if (kSunShadows == 0u || index != frame.sun_light) return reflected(p, l, light);
+  vec3 radiance = reflected_inside(p, l, light);
+  if (radiance == vec3(0.0)) return radiance;
   radiance *= sun_visibility(p);
   bool veiled = (kTranslucentShadows & kSunVeils) != 0u && radiance != vec3(0.0);
   return veiled ? radiance * sun_transmittance(p.position_ws) : radiance;

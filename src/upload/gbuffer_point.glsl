@@ -19,9 +19,12 @@ layout(set = 1, binding = 8) uniform sampler2D sun_mask;   // occlusion
 ContactReceiver contact_receiver;  // of the last gbuffer_point()
 
 float contact_visibility(ShadingPoint p, GpuLight l, vec3 wi) {
-  if (kContactShadows == 0u || (l.flags & kLightCastsShadow) == 0u) return 1.0;
+  bool mapped = kLocalShadows != 0u && l.shadow_view != 0u;
+  bool asked = mapped || (kContactWithoutMap != 0u && (l.flags & kLightCastsShadow) != 0u);
+  if (kContactShadows == 0u || !asked) return 1.0;
   float distance = is_directional(l) ? kUnboundedRadius : length(l.position_range.xyz - p.position_ws);
-  return contact_visibility(contact_receiver, wi, distance);
+  float texel_m = mapped ? local_texel(l, p.position_ws) : kUnboundedRadius;
+  return contact_visibility(contact_receiver, wi, distance, texel_m);
 }
 
 // -1 to 1, y down.

@@ -108,6 +108,14 @@ uvec2 pixel_of(vec3 position_ws) {
   return uvec2(clamp(clip.xy / clip.w * 0.5 + 0.5, 0.0, 1.0) * frame.size.xy);
 }
 
+// Side of a texel at a point, metres; 0 where nothing stands in the way. Precondition: l.shadow_view is not 0.
+float local_texel(GpuLight l, vec3 position_ws) {
+  vec3 from_light = position_ws - l.position_range.xyz;
+  uint face = has_one_view(l) ? 0u : shadow_face(from_light);
+  ShadowView view = shadow_views[l.shadow_view - 1u + face];
+  return view.tile.x == 0.0 ? 0.0 : view.tile.z * shadow_view_depth(view, from_light);
+}
+
 // Precondition: l.shadow_view is not 0.
 float local_visibility(GpuLight l, vec3 position_ws) {
   vec3 from_light = position_ws - l.position_range.xyz;

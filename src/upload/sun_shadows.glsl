@@ -97,6 +97,12 @@ uint choose_cascade(vec3 p_ls, float noise) {
   return chosen;
 }
 
+// Side of a texel of the map that a point is looked up in, metres; kUnboundedRadius where none holds it.
+float sun_texel(vec3 position, float noise) {
+  uint chosen = choose_cascade(to_light_space(sun, position), noise);
+  return chosen == sun.cascade_count ? kUnboundedRadius : sun.cascades[chosen].depth.w;
+}
+
 // position: world axes, relative to the eye; normal: geometric, unit, of the lit side; noise: in [0, 1).
 float sun_occlusion(vec3 position, vec3 normal, float noise) {
   vec3 p = to_light_space(sun, position);

@@ -22,7 +22,7 @@ constexpr float kEyeHeight = 0.5f;   // metres
 // Lamps have no maps, rays are long and fine: what the march alone finds.
 RenderRequest alone(RenderRequest request) {
   set_options(request.settings,
-              "local_shadows.enabled=off contact_shadows.enabled=on "
+              "local_shadows.enabled=off contact_shadows.enabled=on contact_shadows.without_map=on "
               "contact_shadows.length=0.5 contact_shadows.thickness=0.5 contact_shadows.steps=64");
   return request;
 }

@@ -17,6 +17,8 @@ layout(set = 0, binding = 1) uniform sampler2D rt0;
 layout(set = 0, binding = 4) uniform sampler2D depth_map;
 layout(set = 0, binding = 6, r32f) writeonly uniform image2D occlusion;
 
+#include "upload/contact_shadows.glsl"
+
 // View depth, or 0 where nothing was drawn and outside the picture.
 float depth_at(ivec2 pixel) {
   if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(vec2(pixel), frame.size.xy))) return 0.0;
@@ -56,7 +58,12 @@ float pixel_occlusion(ivec2 pixel) {
   mat3 world_from_view = transpose(mat3(frame.view_from_world));
   vec3 geometric_vs = geometric_normal(pixel, depth, position_vs, normal_ws * world_from_view);
   float noise = screen_noise(uvec2(pixel), frame.frame_index, frame.seed);
-  return sun_occlusion(world_from_view * position_vs, world_from_view * geometric_vs, noise);
+  vec3 position_ws = world_from_view * position_vs;
+  float hidden = sun_occlusion(position_ws, world_from_view * geometric_vs, noise);
+  if (kContactShadows == 0u || hidden >= 1.0) return hidden;
+  ContactReceiver receiver = contact_receiver_at(pixel, depth, position_ws, normal_ws);
+  float texel_m = sun_texel(position_ws, noise);
+  return max(hidden, 1.0 - contact_visibility(receiver, sun.axis_z.xyz, kUnboundedRadius, texel_m));
 }
 
 void main() {

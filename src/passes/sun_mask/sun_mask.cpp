@@ -1,6 +1,6 @@
 #include "passes/sun_mask/sun_mask.hpp"
 
-#include "graph/context.hpp"
+#include "passes/shading_inputs.hpp"
 
 namespace velarium::sun_mask {
 namespace {
@@ -22,7 +22,7 @@ constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_N
 
 }  // namespace
 
-graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings::sun_shadows_settings& settings) {
+graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings& settings) {
   auto& pass = graph.pass("sun_mask");
   for (const auto image : {in.rt0, in.depth, in.cascades}) pass.read(image, Access::compute_sample);
   if (in.far.image.version != 0) pass.read(in.far.image, Access::compute_sample);
@@ -30,8 +30,9 @@ graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings::sun
   const auto occlusion =
       pass.write(graph.image("occlusion", {.format = kFormat, .width = size.width, .height = size.height}),
                  Access::compute_storage);
-  gpu::Specialization constants(kFarConstant + 1);
-  constants[kTapsConstant] = static_cast<std::uint32_t>(settings.taps);
+  gpu::Specialization constants(passes::kSharedConstants);
+  constants[kTapsConstant] = static_cast<std::uint32_t>(settings.sun_shadows.taps);
+  passes::set_contact_shadows(settings.contact_shadows, constants);
   constants[kFarConstant] = static_cast<std::uint32_t>(in.far.kind);
   pass.run([in, occlusion, constants, width = size.width, height = size.height](graph::Context& c) {
     const auto& pipeline = c.tools().pipelines.compute(kShader, constants);

@@ -13,9 +13,8 @@ struct Inputs {
   passes::FarSunMap far;         // of far_shadows
 };
 
-// A picture of one float: the share of the sun that is hidden, 0 where the surface faces away from it. Precondition:
-// there is a sun that casts shadows.
-[[nodiscard]] graph::GraphImage add(graph::Graph& graph, const Inputs& in,
-                                    const Settings::sun_shadows_settings& settings);
+// A picture of one float: the share of the sun that is hidden, by what the maps hold or by contact shadows, 0 where the
+// surface faces away from it. Precondition: there is a sun that casts shadows.
+[[nodiscard]] graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings& settings);
 
 }  // namespace velarium::sun_mask
