@@ -91,7 +91,6 @@ float contact_visibility(ContactReceiver r, vec3 wi, float distance, float texel
   float length_m = min(kContactLength * height_m, min(distance, kContactTexels * texel_m));
   ContactRay ray = contact_ray(r, wi, length_m, min(kContactThickness * height_m, texel_m));
   float visible = 1.0;
-  bool marching = true;
   uint i = 0u;
   do {
     float along = (float(i) + 1.0 - r.jitter) / float(ray.steps);
@@ -99,8 +98,8 @@ float contact_visibility(ContactReceiver r, vec3 wi, float distance, float texel
     bool inside = all(greaterThanEqual(place, vec2(0.0))) && all(lessThan(place, frame.size.xy));
     bool hit = inside && contact_hit(r, ray, place, along);
     if (hit) visible = 1.0 - contact_darkness(along) * contact_border(place, frame.size.xy);
-    marching = inside && !hit;
-  } while (marching && ++i < ray.steps);
+    i = inside && !hit ? i + 1u : ray.steps;
+  } while (i < ray.steps);
   return visible;
 }
 

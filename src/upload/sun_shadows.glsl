@@ -97,10 +97,10 @@ uint choose_cascade(vec3 p_ls, float noise) {
   return chosen;
 }
 
-// Side of a texel of the map that a point is looked up in, metres; kUnboundedRadius where none holds it.
+// Side of a texel of the cascade that a point is looked up in, metres; 0 beyond all of them.
 float sun_texel(vec3 position, float noise) {
   uint chosen = choose_cascade(to_light_space(sun, position), noise);
-  return chosen == sun.cascade_count ? kUnboundedRadius : sun.cascades[chosen].depth.w;
+  return chosen == sun.cascade_count ? 0.0 : sun.cascades[chosen].depth.w;
 }
 
 // position: world axes, relative to the eye; normal: geometric, unit, of the lit side; noise: in [0, 1).

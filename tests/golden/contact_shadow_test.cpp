@@ -1,5 +1,6 @@
 // Contact shadows: as long as they are, and none where nothing stands.
 
+#include "support/device.hpp"
 #include "support/gltf_writer.hpp"
 #include "support/metric.hpp"
 #include "support/pictures.hpp"
@@ -10,6 +11,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <cmath>
+#include <string>
 
 namespace velarium::test {
 namespace {
@@ -88,6 +90,44 @@ TEST(ContactShadows, NothingBeyondALampBlocksIt) {
 TEST(ContactShadows, ComeFromLightsThatCastShadows) {
   const TestLight sun{.type = "directional", .direction = {1, -1, 0}, .extras = {{"casts_shadow", false}}};
   EXPECT_EQ(shadow_pixels(step(sun), linear_request(kSide, kSide)), 0);
+}
+
+TEST(ContactShadows, LampsWithoutMapsThrowThemOnlyWhereAsked) {
+  const TestLight lamp{.intensity = 0.01f, .position = {-0.01f, 2.0f * kStep, 0}};
+  const Scene scene = step(lamp);
+  RenderRequest request = alone(linear_request(kSide, kSide));
+  const Picture open = picture_of(scene, without(request));
+  request.settings.contact_shadows.without_map = false;
+  EXPECT_EQ(largest_error(picture_of(scene, request).linear, open.linear), 0.0);
+}
+
+// How many pixels of the middle column the sun's mask hides.
+int hidden_pixels(const Scene& scene, const char* options) {
+  RenderRequest request = linear_request(kSide, kSide);
+  set_options(request.settings, options);
+  request.dumps = {"sun_mask.occlusion"};
+  const auto mask = engine().render(scene, request).dumps.front();
+  int hidden = 0;
+  for (std::size_t y = 0; y < kSide; ++y) hidden += mask.rgba[4 * (kSide * y + kSide / 2)] > 0.5f ? 1 : 0;
+  return hidden;
+}
+
+// A map of 64 texels over the floor's metre has no step of a centimetre; one of 2048 texels has.
+TEST(ContactShadows, OfTheSunStandInItsMaskWhereTheMapIsTooCoarse) {
+  GltfWriter writer;
+  const int matt = writer.add_material({});
+  writer.add_quad(matt, {0, 0, 0}, {0, 1, 0}, {1, 1});
+  writer.add_box(matt, {-0.1f, 0.5f * kStep, 0}, {0.2f, kStep, 0.4f});
+  writer.add_light({.type = "directional", .direction = {1, -1, 0}});
+  writer.add_orthographic_camera({0, kEyeHeight, 0}, {0, 0, 0}, 0.5f * kPixel * kSide, 2.0f);
+  const Scene scene = writer.load();
+  constexpr const char* kCoarse =
+      "sun_shadows.size=64 sun_shadows.cascades=1 contact_shadows.length=0.5 "
+      "contact_shadows.thickness=0.5 contact_shadows.steps=64 contact_shadows.enabled=";
+  const int expected = static_cast<int>(kStep / kPixel);
+  EXPECT_LT(hidden_pixels(scene, (std::string(kCoarse) + "off").c_str()), expected / 2);
+  EXPECT_NEAR(hidden_pixels(scene, (std::string(kCoarse) + "on").c_str()), expected, 1);
+  EXPECT_NEAR(hidden_pixels(scene, ""), expected, 1);
 }
 
 // At any angle of light and view, with the noise of several frames.

@@ -14,7 +14,8 @@ constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_N
 constexpr gpu::SamplerDesc kEquirect{.wrap_u = VK_SAMPLER_ADDRESS_MODE_REPEAT};
 
 // Threads that share a tile. A software driver keeps each thread's state at each barrier, so that there few threads
-// with many pixels each are faster; the picture is the same.
+// with many pixels each are faster; the picture is the same. But llvmpipe ends the loops of a thread once they have
+// made 65535 passes together (Mesa 22.3), so that threads that ask every light get few pixels.
 constexpr std::uint32_t kThreads = 128;
 constexpr std::uint32_t kThreadsOnHost = 16;
 
@@ -45,11 +46,11 @@ Outputs add(graph::Graph& graph, const Inputs& in) {
   if (lists) out.forward_lists = list_buffer;
 
   auto constants = passes::shading_constants(in.shading);
-  constants.insert(constants.end(), {in.shading.settings.lighting.path == LightingPath::tiled ? 1u : 0u,
-                                     lists ? 1u : 0u, lamps_constant(in)});
-  pass.run([in, out, list_buffer, size, constants](graph::Context& c) {
+  const bool tiled = in.shading.settings.lighting.path == LightingPath::tiled;
+  constants.insert(constants.end(), {tiled ? 1u : 0u, lists ? 1u : 0u, lamps_constant(in)});
+  pass.run([in, out, list_buffer, size, constants, tiled](graph::Context& c) {
     auto with_threads = constants;
-    with_threads.push_back(c.tools().device.caps().host_is_device ? kThreadsOnHost : kThreads);
+    with_threads.push_back(tiled && c.tools().device.caps().host_is_device ? kThreadsOnHost : kThreads);
     const auto& pipeline = c.tools().pipelines.compute(kShader, with_threads);
     c.bind(pipeline);
     auto own = c.set(pipeline, 0);
