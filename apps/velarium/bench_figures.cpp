@@ -27,6 +27,7 @@ void Samples::add(const RenderReport& report, const std::vector<double>& clock_m
   append(kClock, clock_ms);
   device_ = report.device;
   device_bytes_ = std::max(device_bytes_, report.device_bytes);
+  shadow_maps_ = report.shadow_maps;
 }
 
 Figures Samples::figures() const {
@@ -37,6 +38,7 @@ Figures Samples::figures() const {
   }
   figures.device = device_;
   figures.device_bytes = device_bytes_;
+  figures.shadow_maps = shadow_maps_;
   return figures;
 }
 
@@ -52,6 +54,7 @@ std::string table_of(const Figures& figures) {
     text += fmt::format("  {:<32} {:>12}\n", name, value);
   };
   row("device memory, peak", size_text(figures.device_bytes));
+  for (const MapMemory& map : figures.shadow_maps) row(map.name + ", memory", size_text(map.bytes));
   for (const auto& [phase, ms] : figures.phases) row(phase, time_text(ms));
   return text;
 }
@@ -67,6 +70,7 @@ nlohmann::ordered_json json_of(const Figures& figures) {
           {"intervals", intervals},
           {"device", figures.device},
           {"device_bytes", figures.device_bytes},
+          {"shadow_maps", json_of(figures.shadow_maps)},
           {"phases", json_of(figures.phases)}};
 }
 

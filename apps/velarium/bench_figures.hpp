@@ -20,6 +20,7 @@ struct Figures {
   std::vector<Interval> intervals;
   std::string device;
   std::uint64_t device_bytes = 0;
+  std::vector<MapMemory> shadow_maps;
   Phases phases;
 };
 
@@ -40,6 +41,7 @@ class Samples {
   std::vector<std::pair<std::string, std::vector<double>>> series_;
   std::string device_;
   std::uint64_t device_bytes_ = 0;
+  std::vector<MapMemory> shadow_maps_;
 };
 
 // "builtin:atrium, 640 x 360"

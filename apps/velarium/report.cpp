@@ -26,7 +26,14 @@ nlohmann::ordered_json json_of(const RenderReport& report) {
           {"passes", std::move(passes)},
           {"frames", report.frames},
           {"device", report.device},
-          {"device_bytes", report.device_bytes}};
+          {"device_bytes", report.device_bytes},
+          {"shadow_maps", json_of(report.shadow_maps)}};
+}
+
+nlohmann::ordered_json json_of(const std::vector<MapMemory>& maps) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const MapMemory& map : maps) json.push_back({{"name", map.name}, {"bytes", map.bytes}});
+  return json;
 }
 
 nlohmann::ordered_json json_of(const Phases& phases) {

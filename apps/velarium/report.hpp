@@ -26,8 +26,9 @@ class Stopwatch {
 // The program's own steps around the frames: name and wall-clock milliseconds.
 using Phases = std::vector<std::pair<std::string, double>>;
 
-// Device times of a render: frame_ms, passes, frames, device, device_bytes.
+// Device times and memory of a render: frame_ms, passes, frames, device, device_bytes, shadow_maps.
 [[nodiscard]] nlohmann::ordered_json json_of(const RenderReport& report);
+[[nodiscard]] nlohmann::ordered_json json_of(const std::vector<MapMemory>& maps);
 [[nodiscard]] nlohmann::ordered_json json_of(const Phases& phases);
 
 // "-" is standard output.

@@ -70,12 +70,18 @@ struct PassTime {
   std::vector<double> frames_ms;    // each of those frames, in order
 };
 
+struct MapMemory {
+  std::string name;                 // "pass.image", as RenderRequest::dumps has it
+  std::uint64_t bytes = 0;          // of device memory, with what the driver adds
+};
+
 struct RenderReport {
   double frame_ms = 0;              // device time of a frame: median, the first excluded where there are several
   std::vector<double> frames_ms;    // each of those frames, in order
   std::uint32_t frames = 0;
   std::vector<PassTime> passes;
   std::uint64_t device_bytes = 0;   // peak of device memory that this engine allocated
+  std::vector<MapMemory> shadow_maps;  // that the engine holds for this picture; together they are what shadows.memory bounds
   std::string device;
   std::vector<std::string> notes;   // decisions a user should hear of, one sentence each
 };

@@ -27,6 +27,10 @@ constexpr std::uint32_t kBrdfTableSize = 64;
 // Each doubling of frames lets textures be half a level sharper. Past four frames' worth they would alias.
 constexpr float kMaxSharpening = 2.0f;
 
+// Images of the frame that count as maps: what the blurred far map is drawn through, and the sun's mask.
+constexpr std::array kFarSteps{"far_shadows.depth", "far_shadows_rows.moments"};
+constexpr const char* kSunMask = "sun_mask.occlusion";
+
 gpu::Image make_image(gpu::Device& device, const gpu::ImageDesc& desc, std::span<const std::byte> texels) {
   const std::array sources{upload::ImageSource{desc, texels}};
   return std::move(upload::make_images(device, sources).front());
@@ -63,8 +67,7 @@ void note_lights_without_map(std::uint32_t lights, RenderReport& report) {
 void note_reduced_map(const far_shadows::Map& map, RenderReport& report) {
   if (map.kind() != FarSun::off && map.is_reduced())
     report.notes.push_back(
-        fmt::format("the map of sun_shadows.far={} has {} texels a side: sun_shadows.far_memory, or "
-                    "images of this device, allow no more",
+        fmt::format("the map of sun_shadows.far={} has {} texels a side, as images of this device can have no more",
                     map.kind() == FarSun::vsm ? "vsm" : "static_map", map.map().size));
 }
 
@@ -124,9 +127,10 @@ RenderResult Renderer::render(const Job& job) {
   auto scene = upload::make_scene_tables(tools_.device, job.scene, job.moment, view);
   scene.texture_lod_bias = -std::min(0.5f * std::log2(static_cast<float>(request.settings.frame.spp)), kMaxSharpening);
 
-  const auto unshadowed = local_shadows::prepare(
-      local_shadows_, tools_.device, scene, {view, {request.width, request.height}}, request.settings.local_shadows);
-  fit_sun_maps(scene, view, request.settings.sun_shadows);
+  const auto [settings, note] = fit_shadows(scene, view, request);
+  const auto unshadowed = local_shadows::prepare(local_shadows_, tools_.device, scene,
+                                                 {view, {request.width, request.height}}, settings.local_shadows);
+  fit_sun_maps(scene, view, settings.sun_shadows);
 
   const gpu::ImageDesc sum_desc{VK_FORMAT_R32G32B32A32_SFLOAT, request.width, request.height};
   if (!sum_ || sum_.desc() != sum_desc)
@@ -149,16 +153,44 @@ RenderResult Renderer::render(const Job& job) {
                            .sum = sum_,
                            .width = request.width,
                            .height = request.height,
-                           .settings = request.settings};
+                           .settings = settings};
   RenderResult result;
+  if (!note.empty()) result.report.notes.push_back(note);
   note_lights_without_map(unshadowed, result.report);
   note_reduced_map(far_map_, result.report);
   run_frames(job, inputs, picture_uniforms(job, scene.light_ranges), view, result.report);
   for (const auto& name : request.dumps) result.dumps.push_back(dump_image(tools_.device, executor_, name));
   read_picture(job, result);
+  result.report.shadow_maps = shadow_maps();
   result.report.device_bytes = tools_.device.memory().peak_bytes();
   result.report.device = tools_.device.info().name;
   return result;
+}
+
+FittedShadows Renderer::fit_shadows(const upload::SceneTables& scene, const upload::ViewMatrices& view,
+                                    const RenderRequest& request) {
+  const auto needs =
+      shadow_needs(scene, view, request.settings, std::uint64_t{request.width} * std::uint64_t{request.height});
+  if (needs.far != FarSun::vsm)
+    for (const char* name : kFarSteps) executor_.drop(name);
+  if (needs.sun_maps == 0) executor_.drop(kSunMask);
+  return fit_to_budget(request.settings, needs);
+}
+
+// As dumps name them. What has one texel stands for no map.
+std::vector<MapMemory> Renderer::shadow_maps() {
+  std::vector<MapMemory> maps;
+  const auto add = [&maps](const char* name, std::uint64_t bytes) {
+    if (bytes > 0) maps.push_back({name, bytes});
+  };
+  if (!sun_maps_.empty()) add("sun_shadows.cascades", sun_maps_.depths().bytes());
+  add("sun_veils.cascades", sun_maps_.veils().bytes());
+  add("far_shadows.map", far_map_.image().bytes());
+  add("local_shadows.atlas", local_shadows_.atlas.bytes());
+  add("local_veils.atlas", local_shadows_.veils.bytes());
+  for (const char* name : kFarSteps) add(name, executor_.kept_bytes(name));
+  add(kSunMask, executor_.kept_bytes(kSunMask));
+  return maps;
 }
 
 void Renderer::fit_sun_maps(upload::SceneTables& scene, const upload::ViewMatrices& view,

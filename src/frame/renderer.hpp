@@ -2,6 +2,7 @@
 
 #include "bake/environment.hpp"
 #include "frame/frame.hpp"
+#include "frame/shadow_memory.hpp"
 #include "graph/executor.hpp"
 #include "scene/moment.hpp"
 #include "upload/scene_tables.hpp"
@@ -35,8 +36,13 @@ class Renderer {
  private:
   void run_frames(const Job& job, const FrameInputs& inputs, upload::FrameUniforms uniforms,
                   const upload::ViewMatrices& view, RenderReport& report);
+  // The settings, with maps as large as shadows.memory allows. What an earlier picture left and this one has no use for
+  // is given back.
+  [[nodiscard]] FittedShadows fit_shadows(const upload::SceneTables& scene, const upload::ViewMatrices& view,
+                                          const RenderRequest& request);
   void fit_sun_maps(upload::SceneTables& scene, const upload::ViewMatrices& view,
                     const Settings::sun_shadows_settings& settings);
+  [[nodiscard]] std::vector<MapMemory> shadow_maps();
   void read_picture(const Job& job, RenderResult& result);
   [[nodiscard]] const gpu::Image& brdf_table(ShadingModel model);
 

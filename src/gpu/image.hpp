@@ -42,6 +42,8 @@ class Image {
   [[nodiscard]] VkImage vk() const { return image_; }
   [[nodiscard]] const ImageDesc& desc() const { return desc_; }
   [[nodiscard]] VkImageUsageFlags usage() const { return usage_; }
+  // Of device memory, 0 of none.
+  [[nodiscard]] std::uint64_t bytes() const { return image_ != VK_NULL_HANDLE ? allocation_.size : 0; }
   [[nodiscard]] explicit operator bool() const { return image_ != VK_NULL_HANDLE; }
 
   // Every mip and layer: colour, or depth and stencil, to draw to; the depth of a depth image where it is sampled.

@@ -23,8 +23,10 @@ void Executor::allocate(const Graph& graph) {
       image = &images_[resource.name];
       // Anything may be copied out by --dump.
       const VkImageUsageFlags usage = resource.usage | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-      if (!*image || image->desc() != resource.desc || image->usage() != usage)
+      if (!*image || image->desc() != resource.desc || image->usage() != usage) {
+        *image = {};  // first: the old one and the new one need not fit beside each other
         *image = gpu::Image(tools_.device, resource.desc, usage);
+      }
     }
     image_list_.push_back(image);
     image_names_.push_back(resource.name);
@@ -119,6 +121,17 @@ gpu::Image* Executor::find_image(const std::string& name) {
 
 std::vector<std::string> Executor::image_names() const {
   return image_names_;
+}
+
+std::uint64_t Executor::kept_bytes(const std::string& name) const {
+  const auto kept = images_.find(name);
+  return kept == images_.end() ? 0 : kept->second.bytes();
+}
+
+void Executor::drop(const std::string& name) {
+  image_list_.clear();
+  image_names_.clear();
+  images_.erase(name);
 }
 
 }  // namespace velarium::graph

@@ -35,6 +35,11 @@ class Executor {
   [[nodiscard]] gpu::Image* find_image(const std::string& name);
   [[nodiscard]] std::vector<std::string> image_names() const;
 
+  // Device memory of an image that some run declared, which is kept for the next; 0 where there is none.
+  [[nodiscard]] std::uint64_t kept_bytes(const std::string& name) const;
+  // Gives back such an image. Between runs of different pictures: those of the last run can no longer be found.
+  void drop(const std::string& name);
+
  private:
   void allocate(const Graph& graph);
   void record(const Graph& graph, VkCommandBuffer commands, bool paranoid);

@@ -258,24 +258,6 @@ TEST(FarShadow, KeptMapsAreNotThoseOfAnotherScene) {
   }
 }
 
-TEST(FarShadow, TakesNoMoreMemoryThanItMay) {
-  const Scene roof = Roof{}.load();
-  struct Case {
-    std::string options;
-    std::uint32_t side;
-    bool noted;
-  };
-  for (const auto& [options, side, noted] : {Case{kStatic + "sun_shadows.far_memory=1", 512u, true},
-                                             Case{kStatic + "sun_shadows.far_memory=2", 1024u, false},
-                                             Case{kVsm + "sun_shadows.far_memory=1", 128u, true}}) {
-    RenderRequest view = request(options);
-    view.dumps = {"far_shadows.map"};
-    const auto result = engine().render(roof, view);
-    EXPECT_EQ(result.dumps.front().width, side) << options;
-    EXPECT_EQ(!result.report.notes.empty(), noted) << options;
-  }
-}
-
 // The memory of the map counts, and goes when the map does.
 TEST(FarShadow, ItsMemoryIsReported) {
   const Scene roof = Roof{}.load();

@@ -22,9 +22,9 @@ constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 // square below 1/4 is rounded by 2^-14, hence a deviation of 2^-7 of what the map spans, 8 m of a kilometre, is noise.
 constexpr VkFormat kMomentFormat = VK_FORMAT_R32_SFLOAT;
 // With the depth that they are made of, and what is blurred along rows alone.
-constexpr int kMomentBytes = 8 + 4 + 8;
+constexpr std::uint64_t kMomentBytes = 8 + 4 + 8;
 constexpr VkFormat kStaticFormat = VK_FORMAT_D16_UNORM;
-constexpr int kStaticBytes = 2;
+constexpr std::uint64_t kStaticBytes = 2;
 
 // The deviation that rounding may feign, as a share of what the map spans: squares below 1/4 have steps of 2^-26, and a
 // blur adds up some tens of them.
@@ -128,12 +128,13 @@ passes::SunMap fit_to(const glm::dmat3& axes, const passes::LightBox& casters, i
   return map;
 }
 
-int affordable_size(int wanted, int texel_bytes, int memory_mib, std::uint32_t largest_image) {
-  const auto fits = [&](int size) {
-    return static_cast<std::uint32_t>(size) <= largest_image &&
-           std::int64_t{size} * size * texel_bytes <= std::int64_t{memory_mib} << 20;
-  };
-  while (!fits(wanted)) wanted /= 2;
+std::uint64_t texel_bytes(FarSun kind) {
+  if (kind == FarSun::off) return 0;
+  return kind == FarSun::vsm ? kMomentBytes : kStaticBytes;
+}
+
+int possible_size(int wanted, std::uint32_t largest_image) {
+  while (static_cast<std::uint32_t>(wanted) > largest_image) wanted /= 2;
   return wanted;
 }
 
@@ -154,7 +155,7 @@ void Map::fit_moments(gpu::Device& device, upload::SceneTables& scene, const Set
   const glm::dmat3 axes = passes::sun_axes(scene);
   const auto box = passes::light_box(axes, upload::bounds_of(scene.casters));
   wanted_size_ = settings.far_size;
-  const int size = affordable_size(wanted_size_, kMomentBytes, settings.far_memory, device.caps().max_image_size);
+  const int size = possible_size(wanted_size_, device.caps().max_image_size);
   const auto map = fit_to(axes, box, size, passes::kGuardTexels + blur_radius(kMostBlur));
   const double reach = passes::blocker_reach(box, static_cast<double>(settings.reach));
   const auto penumbra = passes::widest_penumbra(scene, settings.soft, kMeanBlockerShare * reach, 0.5 * map.side);
@@ -175,7 +176,7 @@ void Map::fit_static(gpu::Device& device, upload::SceneTables& scene, const Sett
   const glm::dmat3 axes = passes::sun_axes(scene);
   const auto box = passes::light_box(axes, upload::bounds_of(scene.casters, upload::CasterChoice::still));
   wanted_size_ = settings.static_size;
-  const int size = affordable_size(wanted_size_, kStaticBytes, settings.far_memory, device.caps().max_image_size);
+  const int size = possible_size(wanted_size_, device.caps().max_image_size);
   const auto map = fit_to(axes, box, size, passes::kGuardTexels);
   keep_or_draw({.scene_id = scene.gpu->id(), .map = map, .slope_bias = settings.slope_bias},
                settings.update == MapUpdate::staggered);
@@ -191,7 +192,7 @@ void Map::fit_static(gpu::Device& device, upload::SceneTables& scene, const Sett
 void Map::fit(gpu::Device& device, upload::SceneTables& scene, const glm::dvec3& eye, bool wanted,
               const Settings& settings) {
   const FarSun kind = wanted ? settings.far : FarSun::off;
-  if (kind == FarSun::off && settings.update == MapUpdate::all) *this = Map();
+  if (settings.far == FarSun::off || (!wanted && settings.update == MapUpdate::all)) *this = Map();
   kind_ = kind;
   eye_ = eye;
   if (kind == FarSun::vsm) fit_moments(device, scene, settings);

@@ -15,9 +15,11 @@ using Settings = velarium::Settings::sun_shadows_settings;
 // The box of light space that a map of everything in `casters` sees: as tight as it can be. guard: texels around it.
 [[nodiscard]] passes::SunMap fit_to(const glm::dmat3& axes, const passes::LightBox& casters, int size, double guard);
 
-// `wanted`, halved until a square of it, of so many bytes a texel, takes no more than the memory, MiB, and images may
-// be as large.
-[[nodiscard]] int affordable_size(int wanted, int texel_bytes, int memory_mib, std::uint32_t largest_image);
+// Of a map while it is drawn, with what it is made of and blurred through.
+[[nodiscard]] std::uint64_t texel_bytes(FarSun kind);
+
+// `wanted`, halved until images may be as large.
+[[nodiscard]] int possible_size(int wanted, std::uint32_t largest_image);
 
 // One map of the whole scene, of one picture after the other. Where pictures keep maps (MapUpdate::staggered), that of
 // what never moves is kept as long as it can be, that of moments for some pictures.
@@ -30,11 +32,11 @@ class Map {
            const Settings& settings);
 
   [[nodiscard]] FarSun kind() const { return kind_; }
-  // Has it fewer texels than the settings ask for, as memory or the device has no more?
+  // Has it fewer texels than the settings ask for, as the device's images are no larger?
   [[nodiscard]] bool is_reduced() const { return contents_.map.size < wanted_size_; }
   // Is it to be drawn in the first frame of this picture?
   [[nodiscard]] bool is_stale() const { return stale_; }
-  // As passes::FarSunMap has it. Precondition: kind() is not off.
+  // As passes::FarSunMap has it; null where none is held.
   [[nodiscard]] gpu::Image& image() { return image_; }
   [[nodiscard]] const passes::SunMap& map() const { return contents_.map; }
   [[nodiscard]] const glm::dvec3& eye() const { return eye_; }

@@ -71,12 +71,16 @@ void allocate(Maps& maps, gpu::Device& device, std::uint32_t side, bool veiled) 
                 fmt::format("local_shadows.atlas is {} texels, more than this device's images have, {}", side, most));
   constexpr VkImageUsageFlags kRead = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
   const gpu::ImageDesc depth{.format = kFormat, .width = side, .height = side};
-  if (!maps.atlas || maps.atlas.desc() != depth)
-    maps.atlas = gpu::Image(device, depth, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | kRead);
+  // The old ones and the new ones need not fit beside each other.
+  if (maps.atlas.desc() != depth) {
+    maps.atlas = {};
+    maps.veils = {};
+  }
+  if (!maps.atlas) maps.atlas = gpu::Image(device, depth, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | kRead);
   const gpu::ImageDesc veils{.format = kVeilFormat, .width = side, .height = side, .array = true};
   if (!veiled)
     maps.veils = {};
-  else if (!maps.veils || maps.veils.desc() != veils)
+  else if (!maps.veils)
     maps.veils = gpu::Image(device, veils, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | kRead);
 }
 
@@ -109,11 +113,17 @@ std::uint32_t lights_without_map(const std::vector<PlacedView>& placed) {
 std::uint32_t prepare(Maps& maps, gpu::Device& device, upload::SceneTables& tables, const Viewer& viewer,
                       const Settings& settings) {
   maps.draws.clear();
-  if (!settings.enabled) return 0;
+  if (!settings.enabled) {
+    maps = Maps();
+    return 0;
+  }
   const auto placed = place(maps, tables, viewer, settings);
   Plan plan = make_plan(placed, tables.host_lights, viewer.view.eye, atlas_side(settings));
   const auto without = lights_without_map(placed);
-  if (plan.views.empty()) return without;
+  if (plan.views.empty()) {
+    maps = Maps();
+    return without;
+  }
   maps.draws = std::move(plan.draws);
   allocate(maps, device, atlas_side(settings), std::any_of(plan.views.begin(), plan.views.end(), is_veiled));
   for (std::size_t i = 0; i < plan.shadow_view.size(); ++i) tables.host_lights[i].shadow_view = plan.shadow_view[i];

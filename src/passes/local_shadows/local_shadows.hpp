@@ -6,7 +6,10 @@
 
 namespace velarium::local_shadows {
 
-// Maps of depth of point and spot lights in one image, which is allocated once for each size of it.
+// Of the atlas, and of its veils.
+inline constexpr std::uint64_t kDepthBytes = 4, kVeilBytes = 8;  // a texel
+
+// Maps of depth of point and spot lights in one image, which is kept from picture to picture while there are any.
 struct Maps {
   gpu::Image atlas;            // depth, reversed: 1 near the light, 0 far; D32F
   gpu::Image veils;            // beside it: shading/translucency.glsl, RGBA16F; null where nothing is veiled

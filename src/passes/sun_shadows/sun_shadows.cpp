@@ -73,6 +73,17 @@ void leave_to_static_map(Served& served) {
   served.whole = false;
 }
 
+Served serve(const upload::SceneTables& scene, const View& view, const Settings& settings) {
+  auto served = served_spheres(view, sphere_around(upload::bounds_of(scene.casters)), settings);
+  const bool has_still = !upload::bounds_of(scene.casters, upload::CasterChoice::still).empty();
+  if (settings.far == FarSun::static_map && has_still) leave_to_static_map(served);
+  return served;
+}
+
+bool wants_maps(const upload::SceneTables& scene, const Settings& settings) {
+  return settings.enabled && scene.light_ranges.sun != upload::kNoSun && !scene.casters.casters.empty();
+}
+
 // Beside maps whose depths are drawn.
 void add_veils(graph::Graph& graph, const Inputs& in, Outputs& out) {
   auto& pass = graph.pass("sun_veils");
@@ -97,16 +108,19 @@ void add_veils(graph::Graph& graph, const Inputs& in, Outputs& out) {
 
 }  // namespace
 
+Demand demand(const upload::SceneTables& scene, const upload::ViewMatrices& view, const Settings& settings) {
+  if (!wants_maps(scene, settings)) return {};
+  const auto served = serve(scene, fit_view(view), settings);
+  return {static_cast<std::uint32_t>(served.spheres.size()), served.whole};
+}
+
 // Maps and what shaders know of them, by the sun of the scene. There is one that casts shadows.
 shading::SunShadows Maps::fit_all(const upload::SceneTables& scene, const View& view, const Settings& settings) {
   const glm::dmat3 axes = passes::sun_axes(scene);
-  const auto bounds = upload::bounds_of(scene.casters);
-  MapLimits limits{.scene = passes::light_box(axes, bounds), .size = settings.size};
+  MapLimits limits{.scene = passes::light_box(axes, upload::bounds_of(scene.casters)), .size = settings.size};
   limits.reach = passes::blocker_reach(limits.scene, static_cast<double>(settings.reach));
 
-  auto served = served_spheres(view, sphere_around(bounds), settings);
-  const bool has_still = !upload::bounds_of(scene.casters, upload::CasterChoice::still).empty();
-  if (settings.far == FarSun::static_map && has_still) leave_to_static_map(served);
+  const auto served = serve(scene, view, settings);
   hold_scene_ = served.whole;
   const auto& spheres = served.spheres;
   const bool translucent = settings.translucent && upload::has_translucent(scene.casters);
@@ -149,7 +163,7 @@ void Maps::note_veils(const upload::CasterTable& casters, shading::SunShadows& t
 void Maps::fit(gpu::Device& device, upload::SceneTables& scene, const upload::ViewMatrices& view,
                const Settings& settings) {
   stale_.clear();
-  const bool wanted = settings.enabled && scene.light_ranges.sun != upload::kNoSun && !scene.casters.casters.empty();
+  const bool wanted = wants_maps(scene, settings);
   const auto size = static_cast<std::uint32_t>(settings.size);
   if (wanted && size > device.caps().max_image_size)
     throw Error(ErrorCode::usage, fmt::format("sun_shadows.size {} is more than this device's images have, {}", size,
@@ -173,12 +187,16 @@ void Maps::allocate(gpu::Device& device, std::uint32_t size) {
                       .layers = std::max(static_cast<std::uint32_t>(maps_.size()), 1u),
                       .array = true};
   constexpr VkImageUsageFlags kRead = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-  if (!depths_ || depths_.desc() != desc)
-    depths_ = gpu::Image(device, desc, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | kRead);
+  // The old ones and the new ones need not fit beside each other.
+  if (depths_.desc() != desc) {
+    depths_ = {};
+    veils_ = {};
+  }
+  if (!depths_) depths_ = gpu::Image(device, desc, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | kRead);
   desc.format = kVeilFormat;
   if (std::find(veiled_.begin(), veiled_.end(), true) == veiled_.end())
     veils_ = {};
-  else if (!veils_ || veils_.desc() != desc)
+  else if (!veils_)
     veils_ = gpu::Image(device, desc, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | kRead);
 }
 

@@ -13,6 +13,17 @@ namespace velarium::sun_shadows {
 
 using Settings = velarium::Settings::sun_shadows_settings;
 
+// Of a map's depth, and of its veils.
+inline constexpr std::uint64_t kDepthBytes = 4, kVeilBytes = 8;  // a texel
+
+// Which maps a picture has, whatever their size.
+struct Demand {
+  std::uint32_t maps = 0;  // 0 where a picture has no sun that casts shadows, or wants none
+  bool whole = true;       // as Maps::hold_scene()
+};
+[[nodiscard]] Demand demand(const upload::SceneTables& scene, const upload::ViewMatrices& view,
+                            const Settings& settings);
+
 // The maps of the sun of one picture after the other, some of which may be kept (MapUpdate::staggered); none where a
 // picture has no sun that casts shadows, or wants none.
 class Maps {

@@ -45,14 +45,10 @@ TEST(FarMap, HasASizeWhereTheSceneHasNone) {
   }
 }
 
-// 8192^2 texels of two bytes are 128 MiB.
-TEST(FarMap, TakesNoMoreMemoryThanItMay) {
-  EXPECT_EQ(affordable_size(8192, 2, 128, 16384), 8192);
-  EXPECT_EQ(affordable_size(8192, 2, 127, 16384), 4096);
-  EXPECT_EQ(affordable_size(16384, 2, 256, 16384), 8192);
-  EXPECT_EQ(affordable_size(8192, 2, 4096, 4096), 4096);  // of what the device has
-  EXPECT_EQ(affordable_size(8192, 8, 1, 16384), 256);     // 512^2 would take two
-  EXPECT_EQ(affordable_size(64, 8, 1, 16384), 64);
+TEST(FarMap, IsNoLargerThanImagesCanBe) {
+  EXPECT_EQ(possible_size(8192, 16384), 8192);
+  EXPECT_EQ(possible_size(8192, 4096), 4096);
+  EXPECT_EQ(possible_size(6000, 4096), 3000);
 }
 
 }  // namespace
