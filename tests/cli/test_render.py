@@ -183,6 +183,16 @@ class Reports(CliTest):
         self.check_timings(json.loads((self.folder / "t.json").read_text()))
         self.check_timings(json.loads(self.expect(OK, "render", "builtin:spheres", *SMALL, "--spp", "3", "--timings", "-")))
 
+    def test_timings_tell_what_shadow_maps_take(self):
+        def maps(*options):
+            self.expect(OK, "render", "builtin:boxes?light=sun", *SMALL, *options, "--timings", "t.json")
+            return json.loads((self.folder / "t.json").read_text())["shadow_maps"]
+
+        self.assertEqual(maps("-D", "sun_shadows.enabled=off"), [])
+        small = maps("-D", "shadows.memory=8")
+        self.assertIn("sun_shadows.cascades", [one["name"] for one in small])
+        self.assertLessEqual(sum(one["bytes"] for one in small), 8 << 20)
+
     def test_dumps(self):
         self.expect(OK, "render", "builtin:spheres", *SMALL, "--dump", "gbuffer.depth=d.exr", "--dump", "gbuffer.rt0=n.png", "-o", "a.png")
         self.assertEqual(self.names(), ["a.png", "d.exr", "n.png"])

@@ -53,6 +53,18 @@ TEST(PowerFit, RefusesWhatHasNoLogarithmOrNoSlope) {
   EXPECT_FALSE(fit_power(std::vector{1.0, 2.0}, std::vector{1.0, 2.0})->standard_error);
 }
 
+TEST(Samples, KeepWhatShadowMapsTake) {
+  RenderReport report;
+  report.shadow_maps = {{"local_shadows.atlas", 4096}};
+  Samples samples;
+  samples.add(report, {});
+  samples.add(report, {});
+  const auto json = json_of(samples.figures());
+  ASSERT_EQ(json.at("shadow_maps").size(), 1u);
+  EXPECT_EQ(json.at("shadow_maps")[0].at("name"), "local_shadows.atlas");
+  EXPECT_EQ(json.at("shadow_maps")[0].at("bytes"), 4096);
+}
+
 Figures figures(const char* scene, std::vector<Interval> intervals) {
   Figures f;
   f.scene = scene;
