@@ -91,7 +91,7 @@ bool is_veiled(const shading::ShadowView& view) {
 std::vector<PlacedView> place(Maps& maps, const upload::SceneTables& tables, const Viewer& viewer,
                               const Settings& settings) {
   const auto views = wanted_views(tables.host_lights, viewer, tables.casters, settings.translucent);
-  if (settings.updates == 0 || maps.scene_id != tables.gpu->id()) maps.keeper.forget();
+  if (settings.updates == 0 || !maps.atlas || maps.scene_id != tables.gpu->id()) maps.keeper.forget();
   maps.scene_id = tables.gpu->id();
   if (settings.updates == 0) return place_views(views, settings);
   std::vector<std::uint64_t> fingerprints;
