@@ -210,6 +210,7 @@ void Renderer::run_frames(const Job& job, const FrameInputs& inputs, upload::Fra
     const glm::vec2 jitter = count == 1 ? glm::vec2(0.0f) : shading::pixel_jitter(i, count);
     upload::set_camera(uniforms, view, {inputs.width, inputs.height}, jitter);
     uniforms.frame_index = i;
+    uniforms.rounding = shading::rounding_shift(i, count);
     inputs.scene.frame.mapped_as<upload::FrameUniforms>().front() = uniforms;
 
     FrameInputs frame = inputs;

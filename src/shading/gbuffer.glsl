@@ -32,6 +32,23 @@ FN GBufferTexel gbuffer_encode(IN(Surface) s, float bfn_table_value) {
   return t;
 }
 
+// Normals are stored at lengths that come out almost exact; to move them would undo that. What is left are components of
+// 0, which lie halfway between two codes: a small share of the move lets them fall to either side in turn.
+const float kNormalRounding = 1.0f / 16.0f;
+
+// Moves what is about to be rounded by `shift` codes, rounding_shift(). rt1 moves along a square root, whose slope is
+// within an eighth of the sRGB curve's from 0.05 to 1.
+FN GBufferTexel gbuffer_shifted(IN(GBufferTexel) t, float shift) {
+  float step = shift / 255.0f;
+  float normal_step = kNormalRounding * step;
+  vec3 root = max(sqrt(vec3(t.rt1.x, t.rt1.y, t.rt1.z)) + vec3(step), vec3(0.0f));
+  GBufferTexel moved;
+  moved.rt0 = t.rt0 + vec4(normal_step, normal_step, normal_step, step);
+  moved.rt1 = vec4(root * root, t.rt1.w);
+  moved.rt2 = t.rt2 + vec4(step);
+  return moved;
+}
+
 // A transmitting surface comes back with grey f0 and occlusion 1, every other one with transmittance 0.
 FN Surface gbuffer_decode(IN(GBufferTexel) t, uint material_class) {
   bool transmits = material_class == kClassTransmittance;

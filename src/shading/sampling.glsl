@@ -96,6 +96,15 @@ FN vec2 pixel_jitter(uint frame, uint count) {
   return fract(vec2(0.5f) + i * vec2(0.754877666f, 0.569840291f)) - vec2(0.5f);
 }
 
+// How far values move before they are rounded to codes, in codes, [-1/2, 1/2], repeating after `count` frames: the average
+// picture then knows values between two codes. As pixel_jitter it sums to zero, and a count of 1 moves nothing; the
+// silver ratio's fraction keeps it apart from what else follows the frame.
+FN float rounding_shift(uint frame, uint count) {
+  require(count > 0u);
+  float i = float(frame % count) - 0.5f * float(count - 1u);
+  return fract(0.5f + i * 0.414213562f) - 0.5f;
+}
+
 // --- screen noise -------------------------------------------------------------------------------------------------
 
 // Interleaved gradient noise [Jimenez 2014] in [0, 1): near pixels differ much, so a small blur removes it.
@@ -103,11 +112,16 @@ FN float interleaved_gradient_noise(vec2 pixel) {
   return fract(52.9829189f * fract(dot(pixel, vec2(0.06711056f, 0.00583715f))));
 }
 
-// The same, moved by frame and seed.
+// The golden ratio's fraction in units of 2^-32: multiples of it fill [0, 1) evenly, however many there are.
+const uint kGoldenRatioBits = 2654435769u;
+
+// The same, moved by the seed; from frame to frame each pixel goes on by the golden ratio, so that what is averaged over
+// frames has had noise from all of [0, 1).
 FN float screen_noise(uvec2 pixel, uint frame, uint seed) {
-  uint h = hash_u32(frame + hash_u32(seed));
+  uint h = hash_u32(seed);
   // 8-bit shifts keep the products above exact enough at 16k pixels.
-  return interleaved_gradient_noise(vec2(pixel) + vec2(float(h & 255u), float((h >> 8u) & 255u)));
+  vec2 place = vec2(pixel) + vec2(float(h & 255u), float((h >> 8u) & 255u));
+  return fract(interleaved_gradient_noise(place) + unit_float(frame * kGoldenRatioBits));
 }
 
 // --- directions ---------------------------------------------------------------------------------------------------

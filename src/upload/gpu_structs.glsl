@@ -26,6 +26,7 @@ struct FrameUniforms {
   float perspective;      // 1: perspective, 0: orthographic
   uint sun_light;         // the directional light that casts shadows; kNoSun where none does
   float normal_variance;  // 1: that of normal maps' mips widens lobes, 0: it does not
+  float rounding;         // rounding_shift() of the frame
 };
 CHECK_LAYOUT(FrameUniforms, ndc_to_view, 128);
 CHECK_LAYOUT(FrameUniforms, sh, 208);

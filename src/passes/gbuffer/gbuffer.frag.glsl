@@ -35,7 +35,7 @@ void main() {
   }
   Surface surface = material_surface(f, base_color.rgb);
   float table = textureLod(normal_lengths, bfn_table_uv(surface.normal_ws), 0.0).r;
-  GBufferTexel texel = gbuffer_encode(surface, table);
+  GBufferTexel texel = gbuffer_shifted(gbuffer_encode(surface, table), frame.rounding);
   out_rt0 = texel.rt0;
   out_rt1 = texel.rt1;
   out_rt2 = texel.rt2;

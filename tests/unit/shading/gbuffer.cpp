@@ -102,6 +102,64 @@ TEST(GBuffer, KeepsRandomSurfaces) {
   }
 }
 
+// The surface that `count` frames see on average.
+Surface mean_of_frames(const Surface& in, uint count) {
+  const float table_value = static_cast<float>(best_fit_length(in.normal_ws)) / 255.0f;
+  Surface mean{};
+  for (uint i = 0; i < count; ++i) {
+    const GBufferTexel texel = gbuffer_shifted(gbuffer_encode(in, table_value), rounding_shift(i, count));
+    const Surface out = gbuffer_decode(through_targets(texel), in.material_class);
+    const float share = 1.0f / static_cast<float>(count);
+    mean.normal_ws += share * out.normal_ws;
+    mean.albedo += share * out.albedo;
+    mean.f0 += share * out.f0;
+    mean.smoothness += share * out.smoothness;
+    mean.occlusion += share * out.occlusion;
+  }
+  return mean;
+}
+
+TEST(GBuffer, FramesKnowWhatLiesBetweenCodes) {
+  // A sixteenth of a code is as near as 16 roundings come. Theirs lie about, not on, a regular grid: three times that.
+  constexpr float kStep = 3.0f / 16.0f / 255.0f;
+  Random random(11);
+  float worst = 0.0f;
+  for (int i = 0; i < 10000; ++i) {
+    Surface in = random_surface(random, 0u);
+    in.albedo = glm::max(in.albedo, vec3(0.05f));
+    in.f0 = glm::max(in.f0, vec3(0.04f));
+    const Surface mean = mean_of_frames(in, 16u);
+    // Blue has the largest share of errors: luma's, and 1.8556 of a chroma's.
+    ASSERT_LT(max_component(glm::abs(glm::sqrt(in.f0) - glm::sqrt(mean.f0))), 2.8556f * kStep);
+    worst = std::max(worst, max_component(glm::abs(srgb_encode(in.albedo) - srgb_encode(mean.albedo))));
+    ASSERT_LT(std::abs(in.smoothness - mean.smoothness), kStep);
+    ASSERT_LT(std::abs(in.occlusion - mean.occlusion), kStep);
+    ASSERT_LT(angle_degrees(in.normal_ws, mean.normal_ws), 0.318);
+  }
+  EXPECT_LT(worst, kStep);
+}
+
+// Each of their codes is 0.32 degrees off.
+TEST(GBuffer, FramesKnowAxes) {
+  Surface s{};
+  for (int axis = 0; axis < 3; ++axis) {
+    s.normal_ws = vec3(0.0f);
+    s.normal_ws[axis] = 1.0f;
+    EXPECT_LT(angle_degrees(s.normal_ws, normalize(mean_of_frames(s, 16u).normal_ws)), 0.05);
+  }
+}
+
+TEST(GBuffer, OneFrameKeepsTheNearestCodes) {
+  Random random(12);
+  for (int i = 0; i < 1000; ++i) {
+    const GBufferTexel texel = gbuffer_encode(random_surface(random, 0u), 1.0f);
+    const GBufferTexel moved = gbuffer_shifted(texel, rounding_shift(0u, 1u));
+    ASSERT_EQ(moved.rt0, texel.rt0);
+    ASSERT_LT(glm::length(moved.rt1 - texel.rt1), 1e-6f);
+    ASSERT_EQ(moved.rt2, texel.rt2);
+  }
+}
+
 TEST(GBuffer, TransmittingSurfacesHaveGreySpecular) {
   Random random(10);
   Surface s = random_surface(random, kClassTransmittance);

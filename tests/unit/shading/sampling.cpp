@@ -64,6 +64,29 @@ TEST(Sampling, JitterCoversThePixel) {
   for (const int n : cells) EXPECT_NEAR(n, 4, 2);
 }
 
+TEST(Sampling, RoundingIsCentredForEveryCount) {
+  EXPECT_EQ(rounding_shift(7u, 1u), 0.0f);
+  for (const uint count : {2u, 3u, 8u, 16u, 61u, 256u}) {
+    float sum = 0.0f;
+    for (uint i = 0; i < count; ++i) {
+      const float shift = rounding_shift(i + 3u * count, count);
+      ASSERT_LE(std::abs(shift), 0.5f);
+      sum += shift;
+    }
+    EXPECT_LT(std::abs(sum) / static_cast<float>(count), 1e-5f) << count;
+  }
+}
+
+// Whatever a pixel starts with, 16 frames have two numbers in each eighth, give or take one.
+TEST(Sampling, NoiseOfFramesFillsTheUnitInterval) {
+  for (uint x = 0; x < 50; ++x) {
+    std::vector<int> cells(8, 0);
+    for (uint frame = 0; frame < 16; ++frame)
+      ++cells[static_cast<std::size_t>(8.0f * screen_noise({x, 7u}, frame, 5u))];
+    for (const int n : cells) EXPECT_NEAR(n, 2, 1) << x;
+  }
+}
+
 TEST(Sampling, NoiseDependsOnFrameAndSeed) {
   const uvec2 pixel{100, 200};
   EXPECT_NE(screen_noise(pixel, 0u, 0u), screen_noise(pixel, 1u, 0u));
