@@ -71,6 +71,7 @@ void Reference::add_reference_flags() {
                  set_option(view_.request.settings, "reference.transport", text);
                }});
   flags_->add_option("--shadows", "reference.shadows", "on|off");
+  flags_->add_option("--glow", "reference.glow", "on|off");
   flags_->add_option("--threads", "reference.threads", "N");
 }
 

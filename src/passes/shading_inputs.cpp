@@ -48,6 +48,12 @@ void bind_veils(graph::SetWriter& set, const ShadingInputs& in) {
     set.sampled(15, none);
 }
 
+// Constant 7: upload/local_shadows.glsl.
+std::uint32_t soft_taps(const ShadingInputs& in) {
+  if (in.shadow_atlas.version == 0) return 0;
+  return in.scene.light_ranges.sized ? static_cast<std::uint32_t>(in.settings.local_shadows.taps) : 1;
+}
+
 }  // namespace
 
 void set_contact_shadows(const Settings::contact_shadows_settings& contact, gpu::Specialization& constants) {
@@ -67,7 +73,7 @@ gpu::Specialization shading_constants(const ShadingInputs& in) {
   constants[3] = lighting.occlusion ? 1u : 0u;
   constants[4] = in.environment.present ? 1u : 0u;
   constants[5] = in.environment.diffuse == DiffuseEnvironment::sh ? 1u : 0u;
-  if (in.shadow_atlas.version != 0) constants[7] = static_cast<std::uint32_t>(in.settings.local_shadows.taps);
+  constants[7] = soft_taps(in);
   set_lamps(in, constants);
   constants[9] = in.scene.clip_volumes ? 1u : 0u;
   const auto& contact = in.settings.contact_shadows;

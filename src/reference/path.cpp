@@ -145,7 +145,7 @@ void PathTracer::follow(Path& path) const {
     if (vertex.look.unlit || path.reflections == transport_.reflections) return;
     const Draws draws(path.sequence);
     path.receiver = {vertex.point.position_ws, vertex.look.surface.normal_ws};
-    path.chances = world_.lights.chances(path.receiver, {.environment = transport_.environment});
+    path.chances = world_.lights.chances(path.receiver, {.environment = transport_.environment, .emitters = transport_.glow});
     add_light(path, vertex, draws);
     if (!reflect(path, vertex, draws)) return;
   }
@@ -195,7 +195,7 @@ void PathTracer::add_emission(Path& path, const Hit& hit, const Vertex& vertex) 
   if (emission == vec3(0.0f)) return;
   if (path.reflections == 0) return path.add(emission, 0, transport_.clamp);
   // Without shadows the ray may have missed what hides behind others: aiming alone finds it all.
-  if (!transport_.shadows) return;
+  if (!transport_.glow || !transport_.shadows) return;
   const float other = world_.lights.pdf_sr_emitter(path.chances, hit, vertex.point, path.ray.direction);
   path.add(balance(path.pdf_sr, other) * emission, path.reflections, transport_.clamp);
 }

@@ -31,6 +31,7 @@ Transport transport_of(const Job& job) {
       break;
   }
   t.environment = s.reference.transport != velarium::Transport::direct;
+  t.glow = s.reference.glow;
   t.shadows = s.reference.shadows;
   t.clamp = s.reference.clamp;
   t.min_highlight_alpha = s.lighting.min_highlight_alpha;

@@ -46,6 +46,14 @@ FN vec3 cascade_place(IN(Cascade) c, vec3 p_ls) {
   return vec3(p_ls.x * c.place.x + c.place.y, p_ls.y * c.place.x + c.place.z, p_ls.z * c.depth.x + c.depth.y);
 }
 
+// Planes that light grazes at less than this sine are taken as tilted by as much.
+const float kLeastSunGrazing = 0.02f;
+
+// How depth rises by u and v along a plane. n_ls: its normal, unit, light space, of the lit side.
+FN vec2 cascade_slope(IN(Cascade) c, vec3 n_ls) {
+  return -vec2(n_ls.x, n_ls.y) / max(n_ls.z, kLeastSunGrazing) * (c.depth.x / c.place.x);
+}
+
 // How much of a point's shadow comes from this map rather than the next one: 1 inside, falling to 0 where filters would
 // leave the map, and at its far end; nearer to the sun than the map begins there is nothing to be shadowed. A point takes
 // the first map whose weight is above a number in [0, 1): 0.5, or noise for a soft change.

@@ -50,6 +50,11 @@ FN bool blocks_light(float offset, float cone, float slack) {
   return offset <= cone + slack;
 }
 
+// What stands beside the cone counts, too, up to this many times as far: it tells of an edge that may reach into the cone
+// between the taps. Where none does the filter finds no shadow; where the search finds nothing there is none, so that a
+// narrower one would lose the outer half of each penumbra.
+const float kConeWidth = 3.0f;
+
 // rho of a light far away (the sun): penumbrae grow with the distance of the blocker, up to the one at max_distance.
 // Distances along the light, > 0, in one unit.
 FN float penumbra_ratio_distant(float blocker_distance, float max_distance) {
@@ -77,10 +82,56 @@ FN float reduced_tap_scale(float rho, uint m, uint n) {
   return rho * sqrt(float(n) / float(m));
 }
 
+// Blockers whose distances differ by more than this ratio are taken as two layers: of one mean, either would have a
+// penumbra that is wrong by more than half of itself.
+const float kLayerRatio = 2.0f;
+// What is nearer than this share of the farthest one counts as there: its penumbra is nothing beside the other's.
+const float kNearestLayer = 1.0f / 16.0f;
+
+FN bool are_layered(float nearest, float farthest) {
+  return farthest > kLayerRatio * nearest;
+}
+
+// The distance that parts two layers.
+FN float layer_split(float nearest, float farthest) {
+  return sqrt(max(nearest, kNearestLayer * farthest) * farthest);
+}
+
+// Rays from a receiver to points of a light, past two layers. Maps know one surface a texel: the near layer is not seen where
+// the far one stands before it, and is taken to be there as it is elsewhere.
+struct LayeredRays {
+  float open;   // that pass the far layer
+  float seen;   // of these, that pass the near one's place where the map sees it
+  float lit;    // of these, that pass it
+};
+
+FN LayeredRays no_rays() {
+  LayeredRays none;
+  none.open = 0.0f;
+  none.seen = 0.0f;
+  none.lit = 0.0f;
+  return none;
+}
+
+// Shares in [0, 1]: past_far: nothing stands beyond the split on the ray's way through the far layer; near_seen: nor does it
+// on its way through the near layer; past_near: nothing at all stands there.
+FN LayeredRays with_ray(IN(LayeredRays) rays, float past_far, float near_seen, float past_near) {
+  LayeredRays sum;
+  sum.open = rays.open + past_far;
+  sum.seen = rays.seen + past_far * near_seen;
+  sum.lit = rays.lit + past_far * min(near_seen, past_near);
+  return sum;
+}
+
+FN float visibility_of(IN(LayeredRays) rays, uint count) {
+  float past_near = rays.seen > 0.0f ? rays.lit / rays.seen : 1.0f;
+  return rays.open * past_near / float(count);
+}
+
 // How much nearer to the light a tap at `radius` of a disc of radius 1 compares, as a share of the blockers' mean
 // distance: blockers at the rim of the penumbra stand about as far as the mean, and whatever the receiver's own
 // slope shows there is nearer. Half of it takes both sides' spread.
-const float kTapDepthShare = 0.5f;
+const float kTapDepthShare = 0.25f;
 
 FN float tap_clearance(float radius, float blocker_distance) {
   return kTapDepthShare * radius * blocker_distance;

@@ -53,7 +53,8 @@ float far_occlusion(vec3 p, vec3 n, float noise) {
   if (beside || place.z >= 1.0) return 0.0;
   place.z = max(place.z, 0.0);
   if (kFarSun == kFarMoments) return moment_occlusion(c, place);
-  return map_occlusion(far_map, far_comparison, c, 0.0, place, first_tap_direction(noise));
+  SunReceiver r = SunReceiver(0.0, place, cascade_slope(c, n));
+  return map_occlusion(far_map, far_comparison, c, r, first_tap_direction(noise));
 }
 
 #endif

@@ -33,6 +33,7 @@ layout(constant_id = 14) const float kMinHighlightAlpha = 0.002325;
 struct ShadingPoint {
   Surface surface;
   vec3 position_ws;
+  vec3 face_normal_ws;   // unit, of the surface itself, of either side; only where its light has shadows
   vec3 wo;
   float alpha;
   vec3 specular_scale;
@@ -43,6 +44,7 @@ ShadingPoint shading_point(Surface surface, vec3 position_ws, vec3 wo) {
   ShadingPoint p;
   p.surface = surface;
   p.position_ws = position_ws;
+  p.face_normal_ws = surface.normal_ws;
   p.wo = wo;
   p.alpha = alpha_from_smoothness(surface.smoothness);
   float n_dot_v = clamp(abs(dot(surface.normal_ws, wo)), 0.0, 1.0);
@@ -112,9 +114,9 @@ vec3 reflected_inside(ShadingPoint p, GpuLight l, LightSample light) {
 vec3 reflected(ShadingPoint p, GpuLight l, LightSample light) {
   vec3 radiance = reflected_inside(p, l, light);
   if (kLocalShadows != 0u && l.shadow_view != 0u && radiance != vec3(0.0))
-    radiance *= local_visibility(l, p.position_ws);
+    radiance *= local_visibility(l, p.position_ws, p.face_normal_ws);
   if ((kTranslucentShadows & kLocalVeils) != 0u && l.shadow_view != 0u && radiance != vec3(0.0))
-    radiance *= local_transmittance(l, p.position_ws);
+    radiance *= local_transmittance(l, p.position_ws, p.face_normal_ws);
   return radiance == vec3(0.0) ? radiance : radiance * contact_visibility(p, l, light.wi);
 }
 

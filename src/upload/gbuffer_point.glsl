@@ -15,6 +15,7 @@ layout(set = 0, binding = 5) uniform usampler2D class_map;
 layout(set = 1, binding = 8) uniform sampler2D sun_mask;   // occlusion
 
 #include "upload/contact_shadows.glsl"
+#include "upload/geometric_normal.glsl"
 
 ContactReceiver contact_receiver;  // of the last gbuffer_point()
 
@@ -59,7 +60,10 @@ ShadingPoint gbuffer_point(ivec2 pixel, float depth, uint material_class) {
   Surface surface = gbuffer_decode(texel, material_class);
   vec3 position_ws = world_from_view * position_vs;
   if (kContactShadows != 0u) contact_receiver = contact_receiver_at(pixel, depth, position_ws, surface.normal_ws);
-  return shading_point(surface, position_ws, world_from_view * wo_vs);
+  ShadingPoint p = shading_point(surface, position_ws, world_from_view * wo_vs);
+  if (kLocalShadows != 0u)
+    p.face_normal_ws = world_from_view * geometric_normal(pixel, position_vs, surface.normal_ws * world_from_view);
+  return p;
 }
 
 #endif

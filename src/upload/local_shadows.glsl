@@ -11,7 +11,8 @@ layout(set = 1, binding = 5) uniform sampler2D shadow_atlas;                 // 
 layout(set = 1, binding = 6) uniform sampler2DShadow shadow_atlas_compare;   // bilinear
 layout(set = 1, binding = 7, std430) readonly buffer ShadowViewBuffer { ShadowView shadow_views[]; };
 
-layout(constant_id = 7) const uint kLocalShadows = 0u;  // taps of soft shadows; 0: no lamp has a map
+// Taps of soft shadows; 0: no lamp has a map; 1: all that have one are points
+layout(constant_id = 7) const uint kLocalShadows = 0u;
 
 // What rounding may leave of a stored depth, as a share of it: large triangles that pass near the light lose digits. 1e-4 is
 // enough on lavapipe; SwiftShader, whose vertices snap to 1/16 of a texel, needs four times that.
@@ -29,6 +30,7 @@ struct ShadowReceiver {
   float view_depth;   // along the view's axis, metres
   mat2 uv_from_m;     // how the place in the atlas moves by a metre across the way of light
   float widest_m;     // of filters
+  vec2 slope;         // how the depth of the receiver's own plane rises towards the light, by a metre across the way of light
 };
 
 // 1: what is stored there is no nearer to the light than `depth`.
@@ -36,7 +38,12 @@ float lit_share(ShadowReceiver r, vec2 offset_m, float depth) {
   return textureLod(shadow_atlas_compare, vec3(clamp_to_tile(r.view, r.uv + r.uv_from_m * offset_m), depth), 0.0);
 }
 
-ShadowReceiver shadow_receiver(ShadowView view, vec3 from_light, float light_radius) {
+// What a tap compares with: the receiver, and its own plane where that is nearer to the light.
+float receiver_depth(ShadowReceiver r, vec2 offset_m) {
+  return r.depth + max(dot(r.slope, offset_m), 0.0);
+}
+
+ShadowReceiver shadow_receiver(ShadowView view, vec3 from_light) {
   ShadowReceiver r;
   r.view = view;
   r.view_depth = shadow_view_depth(view, from_light);
@@ -44,7 +51,17 @@ ShadowReceiver shadow_receiver(ShadowView view, vec3 from_light, float light_rad
   r.depth = view.forward.w / r.view_depth * (1.0 + kStoredDepthError);
   r.uv_from_m = mat2(0.0);
   r.widest_m = 0.0;
-  if (light_radius == 0.0) return r;
+  r.slope = vec2(0.0);
+  return r;
+}
+
+// Planes that light grazes at less than this sine rise without end.
+const float kLeastGrazing = 0.02;
+
+// What filters need besides. face_normal: of the receiver's plane, unit, of either side.
+ShadowReceiver soft_receiver(ShadowReceiver hard, vec3 from_light, vec3 face_normal, float light_radius) {
+  ShadowReceiver r = hard;
+  ShadowView view = r.view;
   float distance = max(length(from_light), view.forward.w);
   vec3 across, along;
   tangent_frame(from_light / distance, across, along);
@@ -55,51 +72,116 @@ ShadowReceiver shadow_receiver(ShadowView view, vec3 from_light, float light_rad
   // A turn of the direction moves a tangent by 1 / cos^2 of its angle to the axis.
   float in_tile_m = view.tile.y * r.view_depth * r.view_depth / distance;
   r.widest_m = min(in_tile_m, kSearchReach * light_radius);
+  // Stored depth is linear in tangents on every plane.
+  float towards = dot(face_normal, from_light);
+  float grazing = max(abs(towards), kLeastGrazing * distance) * (towards < 0.0 ? -1.0 : 1.0);
+  vec2 rise = vec2(dot(face_normal, view.right.xyz), dot(face_normal, view.down.xyz));
+  r.slope = r.depth * r.view_depth / (grazing * dot(view.right.xyz, view.right.xyz)) * (rise * r.uv_from_m);
   return r;
 }
 
-// What the search found.
+// What the search found. Shares are of the way from the light.
 struct LocalBlockers {
-  float hiding;  // taps whose blocker stands within the light's cone
-  float nearer;  // taps with anything nearer to the light
-  float share;   // of the way from the light, that the former stand at: the mean
+  float hiding;    // taps whose blocker stands within the light's cone, or beside it where none stands within
+  float nearer;    // taps with anything nearer to the light
+  float share;     // that the former stand at: the mean
+  float nearest;   // of those within the cone, to the light
+  float farthest;
 };
 
-LocalBlockers find_local_blockers(ShadowReceiver r, float light_radius, float noise) {
-  LocalBlockers found = LocalBlockers(0.0, 0.0, 0.0);
+// Where what tap i of the search sees stands; 1: it is no blocker.
+float blocker_share(ShadowReceiver r, uint i, vec2 direction) {
+  vec2 offset_m = direction * search_tap_radius(i, kLocalShadows, 0.0, r.widest_m);
+  float stored = textureLod(shadow_atlas, clamp_to_tile(r.view, r.uv + r.uv_from_m * offset_m), 0.0).r;
+  return stored > receiver_depth(r, offset_m) ? r.depth / stored : 1.0;
+}
+
+// Does a blocker that tap i has found stand within the light's cone, `width` times as wide?
+bool stands_in_cone(ShadowReceiver r, float light_radius, uint i, float share, float width) {
+  float radius_m = search_tap_radius(i, kLocalShadows, 0.0, r.widest_m);
   float texel_m = r.view.tile.z * r.view_depth;
+  return blocks_light(share * radius_m, width * (1.0 - share) * light_radius, share * kShadowBorder * texel_m);
+}
+
+LocalBlockers find_local_blockers(ShadowReceiver r, float light_radius, float noise) {
+  LocalBlockers found = LocalBlockers(0.0, 0.0, 0.0, 1.0, 1.0);
+  vec2 within = vec2(0.0), beside = vec2(0.0);  // count and sum of shares
   vec2 direction = first_tap_direction(noise);
   for (uint i = 0u; i < kLocalShadows; ++i) {
-    float radius_m = search_tap_radius(i, kLocalShadows, 0.0, r.widest_m);
-    vec2 uv = clamp_to_tile(r.view, r.uv + r.uv_from_m * (direction * radius_m));
-    float share = r.depth / textureLod(shadow_atlas, uv, 0.0).r;  // infinite where nothing is stored
+    float share = blocker_share(r, i, direction);
     if (share < 1.0) found.nearer += 1.0;
-    if (share < 1.0 && blocks_light(share * radius_m, (1.0 - share) * light_radius, share * kShadowBorder * texel_m)) {
-      found.hiding += 1.0;
-      found.share += share;
+    if (share < 1.0 && stands_in_cone(r, light_radius, i, share, kConeWidth)) beside += vec2(1.0, share);
+    if (share < 1.0 && stands_in_cone(r, light_radius, i, share, 1.0)) {
+      found.farthest = within.x == 0.0 ? share : max(found.farthest, share);
+      found.nearest = min(found.nearest, share);
+      within += vec2(1.0, share);
     }
     direction = next_tap_direction(direction);
   }
-  found.share /= max(found.hiding, 1.0);
+  vec2 chosen = within.x > 0.0 ? within : beside;
+  found.hiding = chosen.x;
+  found.share = chosen.y / max(chosen.x, 1.0);
   return found;
+}
+
+// Of blockers before (x) and beyond (y) the depth at `split`, the mean shares; those of one layer are all before it.
+struct LocalLayers {
+  float split;   // share of the way from the light; 0: there is one layer
+  vec2 shares;
+};
+
+LocalLayers layers_of(ShadowReceiver r, LocalBlockers found, float light_radius, float noise) {
+  // Penumbrae are as wide as 1 / share - 1.
+  float near_width = 1.0 / found.farthest - 1.0, far_width = 1.0 / found.nearest - 1.0;
+  LocalLayers layers = LocalLayers(0.0, vec2(found.share));
+  if (are_layered(near_width, far_width)) {
+    layers.split = 1.0 / (1.0 + layer_split(near_width, far_width));
+    vec2 sum = vec2(0.0), count = vec2(0.0);
+    vec2 direction = first_tap_direction(noise);
+    for (uint i = 0u; i < kLocalShadows; ++i) {
+      float share = blocker_share(r, i, direction);
+      bool counts = share < 1.0 && stands_in_cone(r, light_radius, i, share, 1.0);
+      vec2 side = vec2(counts && share >= layers.split, counts && share < layers.split);
+      sum += side * share;
+      count += side;
+      direction = next_tap_direction(direction);
+    }
+    layers.shares = sum / max(count, vec2(1.0));
+  }
+  return layers;
+}
+
+float penumbra_ratio_local(ShadowReceiver r, float light_radius, float share) {
+  return clamp(penumbra_radius_local(1.0, share, light_radius) / r.widest_m, 0.0, 1.0);
+}
+
+float layered_visibility(ShadowReceiver r, LocalLayers layers, float light_radius, float noise) {
+  float far_rho = penumbra_ratio_local(r, light_radius, layers.shares.y);
+  float near_rho = penumbra_ratio_local(r, light_radius, layers.shares.x);
+  float far_depth = r.depth / max(layers.split, 1e-6);
+  uint taps = reduced_tap_count(far_rho, kLocalShadows);
+  float scale = reduced_tap_scale(1.0, taps, kLocalShadows) * r.widest_m;
+  LayeredRays rays = no_rays();
+  vec2 direction = first_tap_direction(noise);
+  for (uint i = 0u; i < taps; ++i) {
+    vec2 ray = direction * (disc_tap_radius(i, kLocalShadows) * scale), near_m = near_rho * ray;
+    float past_near = lit_share(r, near_m, receiver_depth(r, near_m)), past_far = 1.0, near_seen = 1.0;
+    if (layers.split > 0.0) {
+      past_far = lit_share(r, far_rho * ray, far_depth);
+      near_seen = lit_share(r, near_m, far_depth);
+    }
+    rays = with_ray(rays, past_far, near_seen, past_near);
+    direction = next_tap_direction(direction);
+  }
+  return visibility_of(rays, taps);
 }
 
 float soft_visibility(ShadowReceiver r, float light_radius, float noise) {
   LocalBlockers found = find_local_blockers(r, light_radius, noise);
-  if (found.hiding == 0.0) return 1.0;
-  if (found.nearer == float(kLocalShadows)) return 0.0;
-  float rho = clamp(penumbra_radius_local(1.0, found.share, light_radius) / r.widest_m, 0.0, 1.0);
-  uint taps = reduced_tap_count(rho, kLocalShadows);
-  float scale = reduced_tap_scale(rho, taps, kLocalShadows);
-  float lit = 0.0;
-  vec2 direction = first_tap_direction(noise);
-  for (uint i = 0u; i < taps; ++i) {
-    float radius = disc_tap_radius(i, kLocalShadows) * scale;
-    float nearer = tap_clearance(min(radius / max(rho, 1e-6), 1.0), 1.0 - found.share);
-    lit += lit_share(r, direction * (radius * r.widest_m), r.depth / (1.0 - nearer));
-    direction = next_tap_direction(direction);
-  }
-  return lit / float(taps);
+  float visibility = found.hiding == 0.0 ? 1.0 : 0.0;
+  if (found.hiding > 0.0 && found.nearer < float(kLocalShadows))
+    visibility = layered_visibility(r, layers_of(r, found, light_radius, noise), light_radius, noise);
+  return visibility;
 }
 
 // The pixel that a place is seen in.
@@ -116,16 +198,19 @@ float local_texel(GpuLight l, vec3 position_ws) {
   return view.tile.x == 0.0 ? 0.0 : view.tile.z * shadow_view_depth(view, from_light);
 }
 
-// Precondition: l.shadow_view is not 0.
-float local_visibility(GpuLight l, vec3 position_ws) {
+// Precondition: l.shadow_view is not 0. face_normal: as soft_receiver's.
+float local_visibility(GpuLight l, vec3 position_ws, vec3 face_normal) {
   vec3 from_light = position_ws - l.position_range.xyz;
   uint face = has_one_view(l) ? 0u : shadow_face(from_light);
   ShadowView view = shadow_views[l.shadow_view - 1u + face];
-  if (view.tile.x == 0.0) return 1.0;
-  float light_radius = l.color.w;
-  ShadowReceiver r = shadow_receiver(view, from_light, light_radius);
-  if (r.widest_m == 0.0) return lit_share(r, vec2(0.0), r.depth);
-  return soft_visibility(r, light_radius, screen_noise(pixel_of(position_ws), frame.frame_index, frame.seed));
+  float light_radius = l.color.w, visibility = 1.0;
+  ShadowReceiver r = shadow_receiver(view, from_light);
+  if (view.tile.x > 0.0 && light_radius == 0.0) visibility = lit_share(r, vec2(0.0), r.depth);
+  if (kLocalShadows > 1u && view.tile.x > 0.0 && light_radius > 0.0) {
+    float noise = screen_noise(pixel_of(position_ws), frame.frame_index, frame.seed);
+    visibility = soft_visibility(soft_receiver(r, from_light, face_normal, light_radius), light_radius, noise);
+  }
+  return visibility;
 }
 
 #endif

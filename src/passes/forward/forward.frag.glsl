@@ -33,16 +33,17 @@ float contact_visibility(ShadingPoint p, GpuLight l, vec3 wi) {
   return 1.0;
 }
 
-// Surfaces drawn here are in no map, so that none shadows itself, whichever normal it is lifted along.
 float sun_visibility(ShadingPoint p) {
   float noise = screen_noise(uvec2(gl_FragCoord.xy), frame.frame_index, frame.seed);
-  return 1.0 - sun_occlusion(p.position_ws, p.surface.normal_ws, noise);
+  vec3 lit_side = faceforward(p.face_normal_ws, -sun.axis_z.xyz, p.face_normal_ws);
+  return 1.0 - sun_occlusion(p.position_ws, lit_side, noise);
 }
 
 vec3 shade(FragmentInput f, vec3 base_color) {
   vec3 wo_ortho = transpose(mat3(frame.view_from_world)) * vec3(0.0, 0.0, 1.0);
   vec3 wo = frame.perspective > 0.5 ? -normalize(in_position_ws) : wo_ortho;
   ShadingPoint p = shading_point(material_surface(f, base_color), in_position_ws, wo);
+  p.face_normal_ws = normalize(cross(dFdx(in_position_ws), dFdy(in_position_ws)));
   vec3 light = material_emissive(f) + environment_light(p, frame);
   if (kLights != 0u) light += punctual_lights(p, frame);
   return light;

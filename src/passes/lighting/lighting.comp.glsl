@@ -49,11 +49,6 @@ uvec2 tile_pixel(uint i) {
   return gl_WorkGroupID.xy * kTileSize + uvec2(i % kTileSize, i / kTileSize);
 }
 
-// View depth, or 0 where nothing was drawn and outside the picture.
-float depth_at(uvec2 pixel) {
-  return any(greaterThanEqual(vec2(pixel), frame.size.xy)) ? 0.0 : gbuffer_depth(ivec2(pixel));
-}
-
 // The tile's depth range, and which of 32 slices of it hold a surface.
 void find_tile_depths() {
   uint thread = gl_LocalInvocationIndex;
@@ -65,7 +60,7 @@ void find_tile_depths() {
   barrier();
   float nearest = uintBitsToFloat(0x7f7fffffu), farthest = 0.0;
   for (uint i = thread; i < kTilePixels; i += gl_WorkGroupSize.x) {
-    float depth = depth_at(tile_pixel(i));
+    float depth = depth_at(ivec2(tile_pixel(i)));
     if (depth > 0.0) {
       nearest = min(nearest, depth);
       farthest = max(farthest, depth);
@@ -76,7 +71,7 @@ void find_tile_depths() {
   barrier();
   uint slices = 0u;
   for (uint i = thread; i < kTilePixels; i += gl_WorkGroupSize.x) {
-    float depth = depth_at(tile_pixel(i));
+    float depth = depth_at(ivec2(tile_pixel(i)));
     if (depth > 0.0) slices |= depth_mask_bit(depth, uintBitsToFloat(tile_min), uintBitsToFloat(tile_max));
   }
   atomicOr(tile_depth_mask, slices);
@@ -132,7 +127,7 @@ vec4 background(vec2 ndc) {
 
 void shade(uvec2 at) {
   ivec2 pixel = ivec2(at);
-  float depth = depth_at(at);
+  float depth = depth_at(ivec2(at));
   if (depth == 0.0) {
     imageStore(hdr, pixel, background(ndc_of_pixel(pixel)));
     return;

@@ -14,10 +14,31 @@ constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_N
 constexpr gpu::SamplerDesc kEquirect{.wrap_u = VK_SAMPLER_ADDRESS_MODE_REPEAT};
 
 // Threads that share a tile. A software driver keeps each thread's state at each barrier, so that there few threads
-// with many pixels each are faster; the picture is the same. But llvmpipe ends the loops of a thread once they have
-// made 65535 passes together (Mesa 22.3), so that threads that ask every light get few pixels.
+// with many pixels each are faster; the picture is the same.
 constexpr std::uint32_t kThreads = 128;
 constexpr std::uint32_t kThreadsOnHost = 16;
+
+// llvmpipe ends all loops of a thread after 65535 turns, taken together (Mesa 22.3, LP_MAX_TGSI_LOOP_ITERATIONS):
+// lights after that would be missing.
+constexpr std::uint64_t kMostTurns = 65535;
+
+// What one pixel may need: the loops over the lists, which have three parts, and for each light those of its shadow.
+std::uint64_t turns_a_pixel(const passes::ShadingInputs& in) {
+  const auto& s = in.settings;
+  const std::uint64_t lights = in.scene.light_ranges.count, words = lights / 32 + 3;
+  // Search, layers, filter; half as many taps find and filter what dyes light.
+  const auto taps = in.scene.light_ranges.sized ? 4 * s.local_shadows.taps : 2;
+  const bool maps = in.shadow_atlas.version != 0;
+  return words + lights * static_cast<std::uint64_t>(1 + (maps ? taps : 0) +
+                                                     (s.contact_shadows.enabled ? s.contact_shadows.steps : 0));
+}
+
+std::uint32_t threads_on_host(const passes::ShadingInputs& in) {
+  constexpr std::uint32_t kPixels = upload::kTileSize * upload::kTileSize;
+  std::uint32_t threads = kThreadsOnHost;
+  while (threads < kThreads && turns_a_pixel(in) * (kPixels / threads) > kMostTurns) threads *= 2;
+  return threads;
+}
 
 VkDeviceSize list_bytes(const gpu::ImageDesc& size, std::uint32_t light_count) {
   const auto tiles = [](std::uint32_t pixels) { return (pixels + upload::kTileSize - 1) / upload::kTileSize; };
@@ -46,11 +67,11 @@ Outputs add(graph::Graph& graph, const Inputs& in) {
   if (lists) out.forward_lists = list_buffer;
 
   auto constants = passes::shading_constants(in.shading);
-  const bool tiled = in.shading.settings.lighting.path == LightingPath::tiled;
-  constants.insert(constants.end(), {tiled ? 1u : 0u, lists ? 1u : 0u, lamps_constant(in)});
-  pass.run([in, out, list_buffer, size, constants, tiled](graph::Context& c) {
+  constants.insert(constants.end(), {in.shading.settings.lighting.path == LightingPath::tiled ? 1u : 0u,
+                                     lists ? 1u : 0u, lamps_constant(in)});
+  pass.run([in, out, list_buffer, size, constants](graph::Context& c) {
     auto with_threads = constants;
-    with_threads.push_back(tiled && c.tools().device.caps().host_is_device ? kThreadsOnHost : kThreads);
+    with_threads.push_back(c.tools().device.caps().host_is_device ? threads_on_host(in.shading) : kThreads);
     const auto& pipeline = c.tools().pipelines.compute(kShader, with_threads);
     c.bind(pipeline);
     auto own = c.set(pipeline, 0);

@@ -170,11 +170,11 @@ void add_views(const GpuLight& light, std::uint32_t index, const Surroundings& a
   const auto near = around.casters_around(position, reach);
   if (near.solids.empty() && near.veils.empty()) return;
   const double half_tangent = half_tangent_of(light), radius = static_cast<double>(light.color.w);
-  const double in_bulb = radius / std::sqrt(1.0 + 2.0 * half_tangent * half_tangent);
   View view{.light = index,
             .position = position,
             .half_tangent = half_tangent,
-            .near = std::min(std::max(std::min(kNear, kNearShare * reach), in_bulb), 0.5 * reach),
+            // What stands within a bulb, as the flame of a torch, hides nothing of it.
+            .near = std::min(std::max(std::min(kNear, kNearShare * reach), radius), 0.5 * reach),
             .reach = reach,
             .kernel = shading::widest_kernel(static_cast<float>(half_tangent), light.color.w)};
   const std::size_t first = views.size();

@@ -185,6 +185,24 @@ TEST(Maps, AreTheSameToRasterAndToShaders) {
   EXPECT_NEAR(cascade.depth.w * 2048.0f, static_cast<float>(map.side), 1e-4f);
 }
 
+// What a filter compares with beside a point is where the point's own plane lies there.
+TEST(Maps, KnowThePlaneOfAPoint) {
+  Random random;
+  const glm::dmat3 axes = passes::light_axes(random.direction());
+  const Map map = fit_map(axes, {glm::dvec3(0.0), 10.0}, limits_of(2048));
+  const auto cascade = gpu_cascade(map, glm::dvec3(0.0), {.radius = 0.1, .distance = 20.0});
+  for (int i = 0; i < 100; ++i) {
+    glm::dvec3 normal = random.direction();
+    normal.z = std::abs(normal.z) + 0.1;
+    normal = glm::normalize(normal);
+    const glm::dvec3 along = glm::cross(normal, random.direction());
+    const glm::vec3 here = shading::cascade_place(cascade, glm::vec3(0.0f));
+    const glm::vec3 there = shading::cascade_place(cascade, glm::vec3(along));
+    const glm::vec2 slope = shading::cascade_slope(cascade, glm::vec3(normal));
+    EXPECT_NEAR(here.z + glm::dot(slope, glm::vec2(there) - glm::vec2(here)), there.z, 1e-5f);
+  }
+}
+
 // Cascade 2 every second picture, 3 at N mod 4 = 1, 4 at N mod 8 = 3: the schedule of the notes.
 TEST(Staggering, DrawsOneFarMapAPictureAtMost) {
   for (std::uint64_t picture = 0; picture < 64; ++picture) {

@@ -100,6 +100,7 @@ TEST_F(ShadowKeeper, OldMapsKeepTheDepthThatTheyWereDrawnWith) {
 }
 
 TEST_F(ShadowKeeper, SizesChangeOnlyByMoreThanHalfAnOctave) {
+  settings_.density = 2.0f;
   EXPECT_EQ(step(views_of(1, 128.0 * 128.0), 1).size(), 1u);
   EXPECT_TRUE(step(views_of(1, 1.5 * 1.5 * 128.0 * 128.0), 1).empty());  // 0.58 octaves, which rounds to one
   EXPECT_EQ(step(views_of(1, 4.0 * 128.0 * 128.0), 1).size(), 1u);

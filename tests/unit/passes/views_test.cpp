@@ -203,7 +203,9 @@ TEST(ShadowViews, ConesOfNoWidthAndLightsOfNoRangeAreFinite) {
 }
 
 TEST(ShadowViews, SizesFollowTheLogarithmOfCoverage) {
-  const Settings settings{};
+  Settings settings{};
+  settings.density = 2.0f;
+  settings.largest = 1024;
   View view;
   for (const auto& [pixels, size] : {std::pair{1.0, 32u}, {32.0 * 32.0, 64u}, {100.0 * 100.0, 256u}, {1e7, 1024u}}) {
     view.pixels = pixels;

@@ -55,6 +55,36 @@ TEST(Tracer, SeedsGiveOtherNoiseOfTheSamePicture) {
   EXPECT_NEAR(first.radiance(), second.radiance(), 5.0 * error);
 }
 
+// A glowing square above a floor, with nothing else: without glow the square is as bright as ever and the floor is
+// black, however light is looked for.
+TEST(Tracer, GlowThatLightsNothingIsSeen) {
+  scene::SceneBuilder builder("panel");
+  scene::Material panel = statistical::matt(0.0f);
+  panel.emissive = glm::vec3(3.0f);
+  panel.double_sided = true;
+  builder.place_mesh(
+      builder.add_mesh("floor", statistical::square(5.0f, 0.0f, true), builder.add_material(statistical::matt(0.5f))),
+      glm::vec3(0.0f));
+  builder.place_mesh(builder.add_mesh("panel", statistical::square(1.0f, 1.0f, true), builder.add_material(panel)),
+                     glm::vec3(0.0f));
+  Tracing t{std::move(builder).take(),
+            scene::look_at_camera({0.0f, 6.0f, 0.0f}, {0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1.0f}, 1.0f)};
+  t.settings.reference.spp = 4;
+  t.size = 16;
+  const std::size_t middle = 4 * (8 * 16 + 8), corner = 4 * (1 * 16 + 1);
+  for (const auto transport : {velarium::Transport::direct, velarium::Transport::full}) {
+    t.settings.reference.transport = transport;
+    t.settings.reference.glow = true;
+    const auto lit = t.run().film.beauty();
+    t.settings.reference.glow = false;
+    const auto seen = t.run().film.beauty();
+    EXPECT_EQ(seen[middle], 3.0f);
+    EXPECT_EQ(lit[middle], 3.0f);
+    EXPECT_GT(lit[corner], 0.0f);
+    EXPECT_EQ(seen[corner], 0.0f);
+  }
+}
+
 TEST(Tracer, MorePathsContinueFewer) {
   Tracing t = still_life();
   t.settings.reference.spp = 1;

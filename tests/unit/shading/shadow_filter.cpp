@@ -155,5 +155,39 @@ TEST(ShadowFilter, SlopesOutsideTheConeDoNotBlock) {
   EXPECT_EQ(tap_clearance(0.0f, 2.0f), 0.0f);
 }
 
+// Two sheets that hide half of the light each, the far one its left half, the near one its lower half: a quarter is left.
+// Of the near sheet's part only what the far one does not cover is seen, and half of that is lit.
+TEST(ShadowFilter, RaysPassBothLayers) {
+  LayeredRays rays = no_rays();
+  for (int i = 0; i < 16; ++i) {
+    const bool right = i % 2 == 0, up = i / 2 % 2 == 0, seen = i / 4 % 2 == 0;
+    rays = with_ray(rays, right ? 1.0f : 0.0f, seen ? 1.0f : 0.0f, seen && up ? 1.0f : 0.0f);
+  }
+  EXPECT_NEAR(visibility_of(rays, 16u), 0.25f, 1e-6f);
+}
+
+TEST(ShadowFilter, OneLayerIsItsOwnMean) {
+  LayeredRays rays = no_rays();
+  for (const float past : {0.0f, 0.25f, 1.0f, 1.0f}) rays = with_ray(rays, 1.0f, 1.0f, past);
+  EXPECT_NEAR(visibility_of(rays, 4u), 0.5625f, 1e-6f);
+}
+
+// A near layer that the far one hides everywhere is not there.
+TEST(ShadowFilter, UnseenLayersHideNothing) {
+  LayeredRays rays = no_rays();
+  rays = with_ray(rays, 1.0f, 0.0f, 0.0f);
+  rays = with_ray(rays, 0.0f, 0.0f, 0.0f);
+  EXPECT_EQ(visibility_of(rays, 2u), 0.5f);
+}
+
+TEST(ShadowFilter, LayersArePartedBetweenTheirDistances) {
+  EXPECT_FALSE(are_layered(1.0f, 2.0f));
+  EXPECT_TRUE(are_layered(1.0f, 2.1f));
+  for (const auto& [nearest, farthest] : {std::pair{1.0f, 3.0f}, {0.2f, 3.0f}, {0.0f, 3.0f}}) {
+    EXPECT_GT(layer_split(nearest, farthest), nearest);
+    EXPECT_LT(layer_split(nearest, farthest), farthest);
+  }
+}
+
 }  // namespace
 }  // namespace velarium::shading

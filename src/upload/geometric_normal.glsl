@@ -1,0 +1,54 @@
+// The plane of what a pixel shows, from the depths beside it. GLSL only.
+// The includer defines, before: FrameUniforms frame; sampler2D depth_map.
+#ifndef VEL_UPLOAD_GEOMETRIC_NORMAL_GLSL
+#define VEL_UPLOAD_GEOMETRIC_NORMAL_GLSL
+
+#include "shading/depth.glsl"
+
+// Device depth, 0 where nothing was drawn and outside the picture.
+float device_depth_at(ivec2 pixel) {
+  bool outside = any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(vec2(pixel), frame.size.xy));
+  return outside ? 0.0 : texelFetch(depth_map, pixel, 0).r;
+}
+
+// View depth, 0 where nothing was drawn and outside the picture.
+float depth_at(ivec2 pixel) {
+  float device_depth = device_depth_at(pixel);
+  return device_depth > 0.0 ? view_depth(device_depth, frame.depth_params) : 0.0;
+}
+
+// View space.
+vec3 position_at(ivec2 pixel, float depth) {
+  vec2 ndc = (vec2(pixel) + 0.5) * frame.size.zw * 2.0 - 1.0;
+  return view_position(ndc, depth, frame.ndc_to_view, frame.perspective);
+}
+
+// Device depth is linear across the picture on every plane. The next pixel belongs to this one's plane as far as the line
+// through it and the one after leads here; where that one was not drawn, the line is level.
+float distance_to_line(float here, float next, float after) {
+  return next == 0.0 ? 1.0 : abs(after == 0.0 ? next - here : 2.0 * next - after - here);
+}
+
+// The way along the surface to the neighbour at this offset or the opposite one, whichever lies in its plane. Null where
+// neither was drawn.
+vec3 surface_step(ivec2 pixel, vec3 position, float here, ivec2 offset) {
+  float after = device_depth_at(pixel + offset), before = device_depth_at(pixel - offset);
+  float off_after = distance_to_line(here, after, device_depth_at(pixel + 2 * offset));
+  float off_before = distance_to_line(here, before, device_depth_at(pixel - 2 * offset));
+  if (after == 0.0 && before == 0.0) return vec3(0.0);
+  bool forwards = before == 0.0 || (after != 0.0 && off_after < off_before);
+  ivec2 neighbour = forwards ? pixel + offset : pixel - offset;
+  vec3 step = position_at(neighbour, view_depth(forwards ? after : before, frame.depth_params)) - position;
+  return forwards ? step : -step;
+}
+
+// The normal of the surface itself, view space: what normal maps and interpolation say differs from how the maps see
+// it. position: of the pixel, view space.
+vec3 geometric_normal(ivec2 pixel, vec3 position, vec3 shading_normal) {
+  float here = device_depth_at(pixel);
+  vec3 n = cross(surface_step(pixel, position, here, ivec2(0, 1)), surface_step(pixel, position, here, ivec2(1, 0)));
+  float squared = dot(n, n);
+  return squared > 0.0 ? n * inversesqrt(squared) : shading_normal;
+}
+
+#endif
