@@ -177,10 +177,15 @@ float sun_texel(vec3 position, float noise) {
   return chosen == sun.cascade_count ? 0.0 : sun.cascades[chosen].depth.w;
 }
 
+// Whatever normal maps say, what is turned away from the sun by more than this cosine is dark. Nothing nearer to 0, as
+// normals that are taken from depths are rough at outlines.
+const float kFacesAway = -0.2;
+
 // position: world axes, relative to the eye; normal: geometric, unit, of the lit side; noise: in [0, 1).
 float sun_occlusion(vec3 position, vec3 normal, float noise) {
   vec3 p = to_light_space(sun, position);
   vec3 n = to_light_space(sun, normal);
+  if (n.z < kFacesAway) return 1.0;
   uint chosen = choose_cascade(p, noise);
   if (chosen == sun.cascade_count) return far_occlusion(p, n, noise);
   Cascade c = sun.cascades[chosen];

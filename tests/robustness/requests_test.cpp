@@ -181,7 +181,7 @@ TEST(Lights, WithoutIntensityOnSurfacesAndAtTheEye) {
 // the same and only what the renderer makes of them could differ.
 TEST(Places, AHundredKilometresFromTheOriginNothingTrembles) {
   const glm::vec3 far(102400.0f, 0.0f, -102400.0f);
-  const auto view_of = [](const glm::vec3& origin) {
+  const auto view_of = [](const glm::vec3& origin, bool sun_shadows) {
     GltfWriter scene(origin);
     const TestMaterial matt{.base_color = {0.7f, 0.5f, 0.3f, 1}}, metal{.metallic = 1.0f, .perceptual_roughness = 0.3f};
     scene.add_quad(scene.add_material(matt), {0, 0, 0}, {0, 1, 0}, {4, 4});
@@ -190,12 +190,18 @@ TEST(Places, AHundredKilometresFromTheOriginNothingTrembles) {
     scene.add_light({.type = "directional", .intensity = 0.5f, .direction = {-1, -2, -1}});
     RenderRequest request = linear_request(96, 72);
     request.environment = "studio";
+    request.settings.sun_shadows.enabled = sun_shadows;
     const glm::vec3 eye = origin + glm::vec3(1.5f, 1.25f, 2.5f), target = origin + glm::vec3(0.0f, 0.25f, 0.0f);
     request.look_at = LookAt{.eye = {eye.x, eye.y, eye.z}, .target = {target.x, target.y, target.z}};
     return picture_of(scene.load(), request);
   };
-  const Picture near = view_of(glm::vec3(0.0f)), away = view_of(far);
-  EXPECT_EQ(largest_error(near.linear, away.linear), 0.0);
+  const auto largest_difference = [&](bool sun_shadows) {
+    return largest_error(view_of(glm::vec3(0.0f), sun_shadows).linear, view_of(far, sun_shadows).linear);
+  };
+  EXPECT_EQ(largest_difference(false), 0.0);
+  // The sun's maps lie on a grid of the world, so that their texels lie elsewhere in the scene: outlines may differ by the
+  // share of a texel in a pixel.
+  EXPECT_LT(largest_difference(true), 0.01);
 }
 
 }  // namespace
