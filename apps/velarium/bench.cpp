@@ -65,7 +65,7 @@ class Bench {
   std::uint32_t rounds_ = 1;
   std::filesystem::path json_, csv_, compare_;
   std::optional<float> fail_above_;
-  const SweepKind* sweep_ = nullptr;
+  std::optional<SweepKind> sweep_;
   std::vector<std::uint32_t> sweep_values_;
   bool list_ = false;
   View view_;
@@ -99,9 +99,11 @@ void Bench::add_measuring_flags() {
                [this](const std::string& text) { warm_up_ = parse_count(text, 0, kMostFrames); }});
   flags_->add({"--rounds", "N", "how often the scenes are measured in turn; medians are over all rounds [1]",
                [this](const std::string& text) { rounds_ = parse_count(text, 1, kMostRounds); }});
-  flags_->add({"--sweep", "resolution|lights|triangles|instances", "measure how times grow with one thing",
-               [this](const std::string& text) { sweep_ = &find_sweep(text); }});
-  flags_->add({"--points", "N,N,...", "values of the sweep, of resolution the heights of the picture [4 or 5]",
+  flags_->add({"--sweep", "resolution|lights|triangles|instances|OPTION",
+               "measure how times grow with one thing, or with the value of an option",
+               [this](const std::string& text) { sweep_ = find_sweep(text); }});
+  flags_->add({"--points", "N,N,...",
+               "values of the sweep, of resolution the heights of the picture [4 or 5; of an option none]",
                [this](const std::string& text) { sweep_values_ = parse_sweep_points(text); }});
 }
 
@@ -121,9 +123,12 @@ void Bench::settle_suite() {
 
 void Bench::settle_scenes() {
   const std::uint32_t width = view_.request.width, height = view_.request.height;
-  if (sweep_ != nullptr) {
-    if (!scenes_.empty() && (sweep_->scene != nullptr || scenes_.size() > 1))
-      throw Error(ErrorCode::usage, "a sweep has a scene of its own; that of resolution takes one SCENE");
+  if (sweep_) {
+    if (!scenes_.empty() && (sweep_->subject == SweepKind::Subject::scene || scenes_.size() > 1))
+      throw Error(ErrorCode::usage,
+                  "a sweep has a scene of its own; that of resolution or of an option takes one SCENE");
+    if (sweep_->points.empty() && sweep_values_.empty())
+      throw Error(ErrorCode::usage, "a sweep of an option needs --points");
     const std::string scene = scenes_.empty() ? "builtin:atrium" : scenes_.front();
     points_ = points_of(*sweep_, sweep_values_.empty() ? sweep_->points : sweep_values_, scene, width, height);
   } else {
@@ -132,8 +137,8 @@ void Bench::settle_scenes() {
 }
 
 void Bench::check() const {
-  if (sweep_ == nullptr && !sweep_values_.empty()) throw Error(ErrorCode::usage, "--points needs --sweep");
-  if (sweep_ == nullptr && !csv_.empty()) throw Error(ErrorCode::usage, "--csv needs --sweep");
+  if (!sweep_ && !sweep_values_.empty()) throw Error(ErrorCode::usage, "--points needs --sweep");
+  if (!sweep_ && !csv_.empty()) throw Error(ErrorCode::usage, "--csv needs --sweep");
   if (fail_above_ && compare_.empty()) throw Error(ErrorCode::usage, "--fail-above needs --compare");
   if (json_ == "-" && csv_ == "-") throw Error(ErrorCode::usage, "--json and --csv cannot share standard output");
   for (const auto& file : {json_, csv_}) {
@@ -148,6 +153,7 @@ RenderReport Bench::render(Engine& engine, const Scene& scene, const SweepPoint&
   request.height = point.height;
   request.settings.frame.spp = static_cast<int>(frames);
   request.want_linear = false;
+  if (!point.option.empty()) set_option(request.settings, point.option, fmt::format("{:.0f}", point.x));
   Stopwatch stopwatch;
   request.on_frame = [&](std::uint32_t done, std::uint32_t) {
     check_interrupt();
@@ -189,7 +195,7 @@ void Bench::measure_all() {
 
 void Bench::print_tables() const {
   if (json_ == "-" || csv_ == "-") return;
-  if (sweep_ != nullptr) {
+  if (sweep_) {
     print(table_of(*sweep_, points_, growth()));
   } else {
     for (const Figures& figures : figures_) print(table_of(figures));
@@ -205,7 +211,7 @@ void Bench::write_files() const {
   if (json_.empty()) return;
   nlohmann::ordered_json json{{"velarium", kVersion}, {"frames", frames_}, {"warm_up", warm_up_}, {"rounds", rounds_}};
   for (const Figures& figures : figures_) json["scenes"].push_back(json_of(figures));
-  if (sweep_ != nullptr) json["sweep"] = json_of(*sweep_, points_, growth());
+  if (sweep_) json["sweep"] = json_of(*sweep_, points_, growth());
   json["process_peak_bytes"] = peak_process_bytes();
   write_json(json_, json);
 }
@@ -214,7 +220,7 @@ void Bench::run() {
   settle_suite();
   flags_->apply();
   finish_view(view_);
-  if (scenes_.empty() && sweep_ == nullptr) {
+  if (scenes_.empty() && !sweep_) {
     for (const std::string& name : Scene::builtin_names()) scenes_.push_back("builtin:" + name);
   }
   settle_scenes();

@@ -4,6 +4,7 @@
 #include "parse.hpp"
 
 #include <velarium/error.hpp>
+#include <velarium/options.hpp>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -17,11 +18,16 @@ namespace {
 
 // From what a game has to what nobody asks for, in steps of which the fit weighs each alike.
 const std::array<SweepKind, 4> kSweeps{{
-    {"resolution", nullptr, {180, 360, 720, 1440}},
-    {"lights", "builtin:atrium?lights=", {16, 64, 256, 1024}},
-    {"triangles", "builtin:terrain?triangles=", {10'000, 100'000, 1'000'000, 10'000'000}},
-    {"instances", "builtin:knots?instances=", {1, 8, 64, 512, 4096}},
+    {"resolution", SweepKind::Subject::resolution, "", {180, 360, 720, 1440}},
+    {"lights", SweepKind::Subject::scene, "builtin:atrium?lights=", {16, 64, 256, 1024}},
+    {"triangles", SweepKind::Subject::scene, "builtin:terrain?triangles=", {10'000, 100'000, 1'000'000, 10'000'000}},
+    {"instances", SweepKind::Subject::scene, "builtin:knots?instances=", {1, 8, 64, 512, 4096}},
 }};
+
+bool is_option(std::string_view key) {
+  const auto all = option_table();
+  return std::any_of(all.begin(), all.end(), [&](const OptionInfo& option) { return option.key == key; });
+}
 
 std::string optional_text(const std::optional<double>& value) {
   return value ? fmt::format("{:.3f}", *value) : "";
@@ -33,13 +39,14 @@ nlohmann::ordered_json optional_json(const std::optional<double>& value) {
 
 }  // namespace
 
-const SweepKind& find_sweep(std::string_view name) {
+SweepKind find_sweep(std::string_view name) {
+  if (is_option(name)) return {std::string(name), SweepKind::Subject::option, std::string(name), {}};
   std::vector<std::string_view> names;
   for (const SweepKind& kind : kSweeps) {
     if (kind.name == name) return kind;
     names.emplace_back(kind.name);
   }
-  throw Error(ErrorCode::usage, fmt::format("'{}' is not one of {}", name, fmt::join(names, ", ")));
+  throw Error(ErrorCode::usage, fmt::format("'{}' is not one of {}, nor an option", name, fmt::join(names, ", ")));
 }
 
 std::vector<std::uint32_t> parse_sweep_points(std::string_view text) {
@@ -60,13 +67,17 @@ std::vector<SweepPoint> points_of(const SweepKind& kind, const std::vector<std::
                                   const std::string& scene, std::uint32_t width, std::uint32_t height) {
   std::vector<SweepPoint> points;
   for (const std::uint32_t value : values) {
-    if (kind.scene != nullptr) {
-      points.push_back({kind.scene + std::to_string(value), width, height, static_cast<double>(value)});
+    if (kind.subject == SweepKind::Subject::scene) {
+      points.push_back({kind.takes_value + std::to_string(value), width, height, static_cast<double>(value), ""});
+      continue;
+    }
+    if (kind.subject == SweepKind::Subject::option) {
+      points.push_back({scene, width, height, static_cast<double>(value), kind.takes_value});
       continue;
     }
     const auto scaled = static_cast<std::uint32_t>((std::uint64_t{value} * width + height / 2) / height);
     const std::uint32_t across = std::max(scaled, 1u);
-    points.push_back({scene, across, value, static_cast<double>(across) * value});
+    points.push_back({scene, across, value, static_cast<double>(across) * value, ""});
   }
   return points;
 }
@@ -96,7 +107,7 @@ std::vector<Growth> growth_of(const std::vector<SweepPoint>& points, const std::
 }
 
 std::string table_of(const SweepKind& kind, const std::vector<SweepPoint>& points, const std::vector<Growth>& growth) {
-  const bool resolution = kind.scene == nullptr;
+  const bool resolution = kind.subject == SweepKind::Subject::resolution;
   std::string text = fmt::format("\n{:<24}", resolution ? "ms by pixels" : fmt::format("ms by {}", kind.name));
   for (const SweepPoint& point : points) text += fmt::format("{:>11.0f}", point.x);
   text += fmt::format("{:>9}{:>18}\n", "growth", "exponent");

@@ -9,22 +9,26 @@ namespace velarium::app {
 
 // One thing that a sweep changes: what it is called, and the points that are measured by default.
 struct SweepKind {
-  const char* name;
-  const char* scene;  // that takes the value as a parameter; nullptr: any scene, and the value is the picture's height
-  std::vector<std::uint32_t> points;
+  enum class Subject { scene, option, resolution };
+  std::string name;
+  Subject subject;
+  std::string
+      takes_value;  // the scene that ends in the value as its parameter, or the option; empty: the picture's height
+  std::vector<std::uint32_t> points;  // none: they have to be given
 };
 
 struct SweepPoint {
   std::string scene;
   std::uint32_t width, height;
-  double x;  // what times are fitted over: the value, or pixels
+  double x;            // what times are fitted over: the value, or pixels
+  std::string option;  // that is set to the value; empty: none
 };
 
-// Throws Error(usage) that lists the names.
-[[nodiscard]] const SweepKind& find_sweep(std::string_view name);
+// By name, or the key of an option whose value is a whole number. Throws Error(usage) that lists the names.
+[[nodiscard]] SweepKind find_sweep(std::string_view name);
 // "16,64,256": rising whole numbers, at least two. Throws Error(usage).
 [[nodiscard]] std::vector<std::uint32_t> parse_sweep_points(std::string_view text);
-// `scene` and the size's shape are those of a sweep of resolution.
+// `scene` and the size's shape are those of a sweep of resolution or of an option.
 [[nodiscard]] std::vector<SweepPoint> points_of(const SweepKind& kind, const std::vector<std::uint32_t>& values,
                                                 const std::string& scene, std::uint32_t width, std::uint32_t height);
 

@@ -58,6 +58,13 @@ class Figures(CliTest):
         self.assertGreater(float(rows["frame on the device"]["16"]), 0)
         self.assertGreater(float(rows["gbuffer"]["growth"]), 0)
 
+    def test_a_sweep_of_an_option_sets_it(self):
+        bench = json.loads(self.expect(OK, "bench", "builtin:boxes", "--sweep", "sun_shadows.size", "--points", "256,512", *TINY,
+                                       "--json", "-"))
+        self.assertEqual(bench["sweep"]["x"], [256, 512])
+        maps = [{m["name"]: m["bytes"] for m in scene["shadow_maps"]} for scene in bench["scenes"]]
+        self.assertEqual(4 * maps[0]["sun_shadows.cascades"], maps[1]["sun_shadows.cascades"])
+
     def test_a_sweep_of_resolution_keeps_the_shape(self):
         bench = json.loads(self.expect(OK, "bench", "builtin:spheres", "--sweep", "resolution", "--points", "16,32", *TINY,
                                        "--json", "-"))
@@ -77,6 +84,8 @@ class Usage(CliTest):
         self.expect(USAGE, "bench", "--csv", "a.csv", says="--sweep")
         self.expect(USAGE, "bench", "--fail-above", "1.1", says="--compare")
         self.expect(USAGE, "bench", "--sweep", "weight", says="triangles")
+        self.expect(USAGE, "bench", "--sweep", "sun_shadows.cascades", says="--points")
+        self.expect(USAGE, "bench", "--sweep", "sun_shadows.cascades", "--points", "1,99", *TINY, says="99")
         self.expect(USAGE, "bench", "--sweep", "lights", "--points", "2,1", says="rise")
         self.expect(USAGE, "bench", "--sweep", "lights", "builtin:spheres", says="scene of its own")
         self.expect(NOT_WRITTEN, "bench", "--sweep", "lights", "--csv", "nowhere/a.csv", says="no folder")
