@@ -1,5 +1,6 @@
 // The sun's shadows where no cascade reaches: there, from a map of the whole scene, and nothing where all is covered.
 
+#include "sun_shade.hpp"
 #include "support/device.hpp"
 #include "support/gltf_writer.hpp"
 #include "support/metric.hpp"
@@ -27,17 +28,6 @@ RenderRequest request(const std::string& options) {
   RenderRequest request = linear_request(kSize, kSize);
   set_options(request.settings, options);
   return request;
-}
-
-// How bright a picture is beside one without shadows: 1 where the sun arrives, 0 in shadow. What is black in both is 1.
-std::vector<float> shadow_of(const Scene& scene, const RenderRequest& wanted) {
-  RenderRequest bare = wanted;
-  bare.settings.sun_shadows.enabled = false;
-  const Picture lit = picture_of(scene, bare), shadowed = picture_of(scene, wanted);
-  std::vector<float> share;
-  for (std::size_t i = 0; i < lit.linear.size(); i += 4)
-    share.push_back(lit.linear[i] > 0.0f ? shadowed.linear[i] / lit.linear[i] : 1.0f);
-  return share;
 }
 
 std::size_t passes_named(const RenderResult& result, const std::string& name) {

@@ -1,6 +1,7 @@
 // Shadows of the sun, held against geometry: where they begin, how wide their edges are, and that nothing shadows
 // itself.
 
+#include "sun_shade.hpp"
 #include "support/device.hpp"
 #include "support/gltf_writer.hpp"
 #include "support/metric.hpp"
@@ -22,18 +23,6 @@ RenderRequest request(std::uint32_t size, const std::string& options) {
   RenderRequest request = linear_request(size, size);
   set_options(request.settings, options);
   return request;
-}
-
-// How bright a picture is beside one without shadows: 1 where the sun arrives, 0 in shadow. What is black in both is 1.
-std::vector<float> shadow_of(const Scene& scene, const RenderRequest& wanted) {
-  RenderRequest bare = wanted;
-  bare.settings.sun_shadows.enabled = false;
-  const Picture lit = picture_of(scene, bare), shadowed = picture_of(scene, wanted);
-  std::vector<float> share;
-  for (std::size_t i = 0; i < lit.linear.size(); i += 4) {
-    share.push_back(lit.linear[i] > 0.0f ? shadowed.linear[i] / lit.linear[i] : 1.0f);
-  }
-  return share;
 }
 
 // Seen from above: columns along +z, rows from +x down to -x, `half` metres each way.
