@@ -6,8 +6,8 @@
 
 namespace velarium::test {
 
-// How bright each pixel of a picture is beside one without the sun's shadows: 1 where the sun arrives, 0 in shadow. What is
-// black in both is 1.
+// How bright each pixel of a picture is beside one without the sun's shadows: 1 where the sun arrives, 0 in shadow.
+// What is black in both is 1.
 [[nodiscard]] inline std::vector<float> shadow_of(const Scene& scene, const RenderRequest& wanted) {
   RenderRequest bare = wanted;
   bare.settings.sun_shadows.enabled = false;
