@@ -63,7 +63,8 @@ class Graph {
   [[nodiscard]] const std::deque<Pass>& passes() const { return passes_; }
   [[nodiscard]] const std::vector<ImageResource>& images() const { return images_; }
   [[nodiscard]] const std::vector<BufferResource>& buffers() const { return buffers_; }
-  [[nodiscard]] const gpu::ImageDesc& desc(GraphImage image) const { return images_[image.index].desc; }
+  // By value, as the next image may move all others.
+  [[nodiscard]] gpu::ImageDesc desc(GraphImage image) const { return images_[image.index].desc; }
 
  private:
   friend class Pass;

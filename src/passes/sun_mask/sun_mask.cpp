@@ -26,7 +26,7 @@ graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings& set
   auto& pass = graph.pass("sun_mask");
   for (const auto image : {in.rt0, in.depth, in.cascades}) pass.read(image, Access::compute_sample);
   if (in.far.image.version != 0) pass.read(in.far.image, Access::compute_sample);
-  const auto& size = graph.desc(in.depth);
+  const auto size = graph.desc(in.depth);
   const auto occlusion =
       pass.write(graph.image("occlusion", {.format = kFormat, .width = size.width, .height = size.height}),
                  Access::compute_storage);
