@@ -6,6 +6,7 @@
 #include "shading/contact_shadow.glsl"
 #include "shading/sampling.glsl"
 #include "upload/gpu_structs.glsl"
+#include "upload/picture_depth.glsl"
 
 layout(constant_id = 10) const uint kContactShadows = 0u;      // most samples a ray takes; 0: there are none
 layout(constant_id = 16) const uint kContactWithoutMap = 0u;   // 1: of lights that have no map, too
@@ -21,12 +22,6 @@ struct ContactReceiver {
   float jitter;       // in [0, 1)
 };
 
-// Device depth, or 0 outside the picture, as where nothing was drawn.
-float contact_depth(ivec2 pixel) {
-  bool outside = any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, ivec2(frame.size.xy)));
-  return outside ? 0.0 : texelFetch(depth_map, pixel, 0).r;
-}
-
 // The place in the picture, pixels.
 vec2 clip_pixel(vec4 clip) {
   return (clip.xy / clip.w * 0.5 + 0.5) * frame.size.xy;
@@ -34,9 +29,9 @@ vec2 clip_pixel(vec4 clip) {
 
 ContactReceiver contact_receiver_at(ivec2 pixel, float view_depth, vec3 position_ws, vec3 normal_ws) {
   ContactReceiver r;
-  float at = contact_depth(pixel);
-  r.slope.x = depth_slope(contact_depth(pixel - ivec2(1, 0)), at, contact_depth(pixel + ivec2(1, 0)));
-  r.slope.y = depth_slope(contact_depth(pixel - ivec2(0, 1)), at, contact_depth(pixel + ivec2(0, 1)));
+  float at = device_depth_at(pixel);
+  r.slope.x = depth_slope(device_depth_at(pixel - ivec2(1, 0)), at, device_depth_at(pixel + ivec2(1, 0)));
+  r.slope.y = depth_slope(device_depth_at(pixel - ivec2(0, 1)), at, device_depth_at(pixel + ivec2(0, 1)));
   r.footprint_m = pixel_footprint(view_depth, frame.ndc_to_view, frame.perspective, frame.size.y);
   r.start_ws = position_ws + normal_ws * (kContactLift * r.footprint_m);
   r.view_depth = view_depth;
@@ -74,7 +69,7 @@ ContactRay contact_ray(ContactReceiver r, vec3 wi, float length_m, float thickne
 // not shadow itself either.
 bool contact_hit(ContactReceiver r, ContactRay ray, vec2 place, float along) {
   vec2 center = floor(place) + 0.5;
-  float surface = contact_depth(ivec2(place));
+  float surface = device_depth_at(ivec2(place));
   float surface_m = view_depth(surface + dot(r.slope, place - center), frame.depth_params);
   bool elsewhere = any(greaterThan(abs(center - ray.own), vec2(0.5)));
   return elsewhere && surface > 0.0 && contact_blocked(ray.depth.x + along * ray.depth.y, surface_m, ray.thickness_m);

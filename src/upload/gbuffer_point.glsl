@@ -3,7 +3,6 @@
 #ifndef VEL_UPLOAD_GBUFFER_POINT_GLSL
 #define VEL_UPLOAD_GBUFFER_POINT_GLSL
 
-#include "shading/depth.glsl"
 #include "shading/gbuffer.glsl"
 #include "upload/frame_lighting.glsl"
 
@@ -16,6 +15,7 @@ layout(set = 1, binding = 8) uniform sampler2D sun_mask;   // occlusion
 
 #include "upload/contact_shadows.glsl"
 #include "upload/geometric_normal.glsl"
+#include "upload/picture_depth.glsl"
 
 ContactReceiver contact_receiver;  // of the last gbuffer_point()
 
@@ -26,17 +26,6 @@ float contact_visibility(ShadingPoint p, GpuLight l, vec3 wi) {
   float distance = is_directional(l) ? kUnboundedRadius : length(l.position_range.xyz - p.position_ws);
   float texel_m = mapped ? local_texel(l, p.position_ws) : kUnboundedRadius;
   return contact_visibility(contact_receiver, wi, distance, texel_m);
-}
-
-// -1 to 1, y down.
-vec2 ndc_of_pixel(ivec2 pixel) {
-  return (vec2(pixel) + 0.5) * frame.size.zw * 2.0 - 1.0;
-}
-
-// View depth, or 0 where nothing was drawn. pixel: inside the picture.
-float gbuffer_depth(ivec2 pixel) {
-  float device_depth = texelFetch(depth_map, pixel, 0).r;
-  return device_depth > 0.0 ? view_depth(device_depth, frame.depth_params) : 0.0;
 }
 
 uint gbuffer_class(ivec2 pixel) {
@@ -54,7 +43,7 @@ float sun_visibility(ShadingPoint p) {
 ShadingPoint gbuffer_point(ivec2 pixel, float depth, uint material_class) {
   if (kSunShadows != 0u) pixel_sun_visibility = 1.0 - texelFetch(sun_mask, pixel, 0).r;
   GBufferTexel texel = GBufferTexel(texelFetch(rt0, pixel, 0), texelFetch(rt1, pixel, 0), texelFetch(rt2, pixel, 0));
-  vec3 position_vs = view_position(ndc_of_pixel(pixel), depth, frame.ndc_to_view, frame.perspective);
+  vec3 position_vs = position_at(pixel, depth);
   vec3 wo_vs = frame.perspective > 0.5 ? -normalize(position_vs) : vec3(0.0, 0.0, 1.0);
   mat3 world_from_view = transpose(mat3(frame.view_from_world));
   Surface surface = gbuffer_decode(texel, material_class);

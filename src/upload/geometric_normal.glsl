@@ -3,25 +3,7 @@
 #ifndef VEL_UPLOAD_GEOMETRIC_NORMAL_GLSL
 #define VEL_UPLOAD_GEOMETRIC_NORMAL_GLSL
 
-#include "shading/depth.glsl"
-
-// Device depth, 0 where nothing was drawn and outside the picture.
-float device_depth_at(ivec2 pixel) {
-  bool outside = any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(vec2(pixel), frame.size.xy));
-  return outside ? 0.0 : texelFetch(depth_map, pixel, 0).r;
-}
-
-// View depth, 0 where nothing was drawn and outside the picture.
-float depth_at(ivec2 pixel) {
-  float device_depth = device_depth_at(pixel);
-  return device_depth > 0.0 ? view_depth(device_depth, frame.depth_params) : 0.0;
-}
-
-// View space.
-vec3 position_at(ivec2 pixel, float depth) {
-  vec2 ndc = (vec2(pixel) + 0.5) * frame.size.zw * 2.0 - 1.0;
-  return view_position(ndc, depth, frame.ndc_to_view, frame.perspective);
-}
+#include "upload/picture_depth.glsl"
 
 // Device depth is linear across the picture on every plane. The next pixel belongs to this one's plane as far as the line
 // through it and the one after leads here; where that one was not drawn, the line is level.

@@ -25,5 +25,5 @@ void main() {
   uint material_class = gbuffer_class(pixel);
   out_light = vec4(0.0);
   if (material_class == kClassUnlit) return;
-  out_light.rgb = light_of_kind(gbuffer_point(pixel, gbuffer_depth(pixel), material_class));
+  out_light.rgb = light_of_kind(gbuffer_point(pixel, depth_at(pixel), material_class));
 }

@@ -4,7 +4,6 @@
 // How much of the sun is hidden from each pixel [Crytek, "Secrets of CryENGINE 3 Graphics Technology", 2011: deferred
 // shadow mask]. What the sun cannot light anyway is left at 0: the sky, and surfaces that face away.
 
-#include "shading/depth.glsl"
 #include "shading/normal_encoding.glsl"
 #include "shading/sampling.glsl"
 #include "upload/gpu_structs.glsl"
@@ -19,6 +18,7 @@ layout(set = 0, binding = 6, r32f) writeonly uniform image2D occlusion;
 
 #include "upload/contact_shadows.glsl"
 #include "upload/geometric_normal.glsl"
+#include "upload/picture_depth.glsl"
 
 float pixel_occlusion(ivec2 pixel) {
   float depth = depth_at(pixel);
