@@ -128,13 +128,4 @@ FN float visibility_of(IN(LayeredRays) rays, uint count) {
   return rays.open * past_near / float(count);
 }
 
-// How much nearer to the light a tap at `radius` of a disc of radius 1 compares, as a share of the blockers' mean
-// distance: blockers at the rim of the penumbra stand about as far as the mean, and whatever the receiver's own
-// slope shows there is nearer. Half of it takes both sides' spread.
-const float kTapDepthShare = 0.25f;
-
-FN float tap_clearance(float radius, float blocker_distance) {
-  return kTapDepthShare * radius * blocker_distance;
-}
-
 #endif

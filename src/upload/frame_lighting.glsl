@@ -130,7 +130,7 @@ vec3 light_directional(ShadingPoint p, uint index) {
   if (radiance == vec3(0.0)) return radiance;
   radiance *= sun_visibility(p);
   bool veiled = (kTranslucentShadows & kSunVeils) != 0u && radiance != vec3(0.0);
-  return veiled ? radiance * sun_transmittance(p.position_ws) : radiance;
+  return veiled ? radiance * sun_transmittance(p.position_ws, p.face_normal_ws) : radiance;
 }
 
 vec3 light_point(ShadingPoint p, uint index) {

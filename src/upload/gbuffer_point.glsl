@@ -50,7 +50,7 @@ ShadingPoint gbuffer_point(ivec2 pixel, float depth, uint material_class) {
   vec3 position_ws = world_from_view * position_vs;
   if (kContactShadows != 0u) contact_receiver = contact_receiver_at(pixel, depth, position_ws, surface.normal_ws);
   ShadingPoint p = shading_point(surface, position_ws, world_from_view * wo_vs);
-  if (kLocalShadows != 0u)
+  if (kLocalShadows != 0u || (kTranslucentShadows & kSunVeils) != 0u)
     p.face_normal_ws = world_from_view * geometric_normal(pixel, position_vs, surface.normal_ws * world_from_view);
   return p;
 }

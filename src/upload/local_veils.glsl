@@ -24,11 +24,12 @@ vec4 find_local_veils(ShadowReceiver r, float light_radius, float noise) {
   vec2 direction = first_tap_direction(noise);
   for (uint i = 0u; i < kLocalVeilTaps; ++i) {
     float radius_m = search_tap_radius(i, kLocalVeilTaps, 0.0, r.widest_m);
-    vec4 veil = local_veil(r, direction * radius_m);
-    float share = r.depth / veil.a;  // infinite where there is none
+    vec2 offset_m = direction * radius_m;
+    vec4 veil = local_veil(r, offset_m);
+    float depth = receiver_depth(r, offset_m), share = veil.a > depth ? r.depth / veil.a : 1.0;
     if (share < 1.0 && blocks_light(share * radius_m, (1.0 - share) * light_radius, share * kShadowBorder * texel_m)) {
       found += 1.0;
-      sum += vec4(past_veil(veil, r.depth), share);
+      sum += vec4(past_veil(veil, depth), share);
     }
     direction = next_tap_direction(direction);
   }
@@ -40,15 +41,13 @@ vec3 soft_local_transmittance(ShadowReceiver r, float light_radius, float noise)
   if (found.a == 1.0) return vec3(1.0);
   float rho = clamp(penumbra_radius_local(1.0, found.a, light_radius) / r.widest_m, 0.0, 1.0);
   uint taps = reduced_tap_count(rho, kLocalVeilTaps);
-  float scale = reduced_tap_scale(rho, taps, kLocalVeilTaps);
+  float scale = reduced_tap_scale(rho, taps, kLocalVeilTaps) * r.widest_m;
   vec4 sum = kUnseenVeilWeight * vec4(found.rgb, 1.0);
   vec2 direction = first_tap_direction(noise);
   for (uint i = 0u; i < taps; ++i) {
-    float radius = disc_tap_radius(i, kLocalVeilTaps) * scale;
-    float nearer = tap_clearance(min(radius / max(rho, 1e-6), 1.0), 1.0 - found.a);
-    vec2 offset_m = direction * (radius * r.widest_m);
+    vec2 offset_m = direction * (disc_tap_radius(i, kLocalVeilTaps) * scale);
     float seen = lit_share(r, offset_m, r.depth / found.a);
-    sum += seen * vec4(past_veil(local_veil(r, offset_m), r.depth / (1.0 - nearer)), 1.0);
+    sum += seen * vec4(past_veil(local_veil(r, offset_m), receiver_depth(r, offset_m)), 1.0);
     direction = next_tap_direction(direction);
   }
   return sum.rgb / sum.a;
