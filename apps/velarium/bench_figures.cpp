@@ -3,6 +3,7 @@
 #include "bench_statistics.hpp"
 
 #include <velarium/error.hpp>
+#include <velarium/median.hpp>
 
 #include <fmt/core.h>
 

@@ -1,17 +1,11 @@
 #include "bench_statistics.hpp"
 
+#include <velarium/median.hpp>
+
 #include <algorithm>
 #include <cmath>
 
 namespace velarium::app {
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
 
 double median_absolute_deviation(std::vector<double> values) {
   const double center = median(values);

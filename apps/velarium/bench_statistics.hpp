@@ -9,9 +9,6 @@
 
 namespace velarium::app {
 
-// 0 where there are no values.
-[[nodiscard]] double median(std::vector<double> values);
-
 // Median of the distances from the median: what half of the values stay within, whatever the others do.
 [[nodiscard]] double median_absolute_deviation(std::vector<double> values);
 

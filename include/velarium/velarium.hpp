@@ -7,6 +7,7 @@
 #include <velarium/error.hpp>
 #include <velarium/files.hpp>
 #include <velarium/log.hpp>
+#include <velarium/median.hpp>
 #include <velarium/options.hpp>
 #include <velarium/picture.hpp>
 #include <velarium/reference.hpp>

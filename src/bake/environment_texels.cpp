@@ -9,10 +9,11 @@
 #include <numbers>
 #include <utility>
 
+#include "shading/host.hpp"
+
 namespace velarium::bake {
 namespace {
 
-constexpr float kLargestHalf = 65504.0f;
 constexpr std::uint16_t kHalfOne = 0x3c00;
 
 void append_halves(const image::FloatImage& image, std::vector<std::uint16_t>& out) {
@@ -22,7 +23,7 @@ void append_halves(const image::FloatImage& image, std::vector<std::uint16_t>& o
     const float* from = &image.rgba[y * row];
     std::uint16_t* to = &out[begin + y * row];
     for (std::size_t i = 0; i < row; ++i)
-      to[i] = i % 4 == 3 ? kHalfOne : half_from_float(std::min(from[i], kLargestHalf));
+      to[i] = i % 4 == 3 ? kHalfOne : half_from_float(std::min(from[i], shading::kLargestHalf));
   });
 }
 

@@ -1,20 +1,13 @@
 #include "frame/timings.hpp"
 
-#include <algorithm>
+#include <velarium/median.hpp>
+
 #include <span>
 #include <string>
 #include <utility>
 
 namespace velarium::frame {
 namespace {
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
 
 std::vector<double> times_of(const std::string& name, std::span<const std::vector<graph::PassTiming>> frames) {
   std::vector<double> times;

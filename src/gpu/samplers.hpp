@@ -17,6 +17,10 @@ struct SamplerDesc {
   auto operator<=>(const SamplerDesc&) const = default;
 };
 
+// For texels that are fetched one by one; not every device filters 32-bit floats.
+inline constexpr SamplerDesc kNearest{
+    .mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST, .mip = VK_SAMPLER_MIPMAP_MODE_NEAREST};
+
 // Makes each sampler once.
 class SamplerCache {
  public:

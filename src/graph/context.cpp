@@ -3,9 +3,6 @@
 namespace velarium::graph {
 namespace {
 
-constexpr gpu::SamplerDesc kNearest{
-    .mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST, .mip = VK_SAMPLER_MIPMAP_MODE_NEAREST};
-
 VkRenderingAttachmentInfo color_attachment(const gpu::Image& image, std::uint32_t layer, bool clear) {
   return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
           .imageView = image.layer_view(layer),
@@ -107,13 +104,13 @@ SetWriter& SetWriter::sampled(std::uint32_t binding, GraphImage handle, const gp
   const auto& image = context_.image(handle);
   const bool depth = gpu::has_depth(image.desc().format);
   bindings_.sampled(binding, depth ? image.depth_view() : image.view(),
-                    context_.tools().samplers.get(depth && !sampler.compare ? kNearest : sampler),
+                    context_.tools().samplers.get(depth && !sampler.compare ? gpu::kNearest : sampler),
                     access_info(Access::compute_sample, depth).layout);
   return *this;
 }
 
 SetWriter& SetWriter::stencil(std::uint32_t binding, GraphImage handle) {
-  bindings_.sampled(binding, context_.image(handle).stencil_view(), context_.tools().samplers.get(kNearest),
+  bindings_.sampled(binding, context_.image(handle).stencil_view(), context_.tools().samplers.get(gpu::kNearest),
                     access_info(Access::compute_sample, true).layout);
   return *this;
 }

@@ -2,9 +2,12 @@
 
 #include "core/jobs.hpp"
 
+#include <velarium/median.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace velarium::image {
 namespace {
@@ -41,13 +44,6 @@ void expose(const FloatImage& image, float stops, FloatImage& to) {
   });
 }
 
-double median(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (double{*middle} + double{*std::max_element(values.begin(), middle)});
-}
-
 }  // namespace
 
 Exposures exposures_of(const FloatImage& reference) {
@@ -64,7 +60,7 @@ Exposures exposures_of(const FloatImage& reference) {
   const double white = nearly_white_light();
   const double brightest = *std::max_element(luminances.begin(), luminances.end());
   const auto first = static_cast<float>(std::log2(white / brightest));
-  const auto last = static_cast<float>(std::log2(white / median(luminances)));
+  const auto last = static_cast<float>(std::log2(white / median(std::move(luminances))));
   if (first == last) return {first, last, 1};
   return {first, last, std::max(2, static_cast<int>(std::ceil(last - first)))};
 }

@@ -5,9 +5,6 @@
 namespace velarium::passes {
 namespace {
 
-constexpr gpu::SamplerDesc kNearest{
-    .mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST, .mip = VK_SAMPLER_MIPMAP_MODE_NEAREST};
-
 // Constants 8, 11 and 14: what lamps there are, and how narrow their highlights may be.
 void set_lamps(const ShadingInputs& in, gpu::Specialization& constants) {
   const auto& lighting = in.settings.lighting;
@@ -19,7 +16,7 @@ void set_lamps(const ShadingInputs& in, gpu::Specialization& constants) {
 // The atlas as plain depth, as comparisons, and the table of what it holds: upload/local_shadows.glsl.
 void bind_local_shadows(graph::SetWriter& set, const ShadingInputs& in) {
   if (in.shadow_atlas.version == 0) {
-    set.sampled(5, in.no_map, kNearest).sampled(6, in.no_map, {.compare = true}).buffer(7, in.scene.lights);
+    set.sampled(5, in.no_map, gpu::kNearest).sampled(6, in.no_map, {.compare = true}).buffer(7, in.scene.lights);
     return;
   }
   set.sampled(5, in.shadow_atlas).sampled(6, in.shadow_atlas, {.compare = true}).buffer(7, in.scene.shadow_views);
@@ -30,7 +27,7 @@ void bind_sun_shadows(graph::SetWriter& set, const ShadingInputs& in) {
   set.sampled(9, in.sun_cascades).sampled(10, in.sun_cascades, {.compare = true}).buffer(11, in.scene.sun_shadows);
   bind(set, in.sun_far, in.sun_cascades);
   if (in.sun_mask.version != 0)
-    set.sampled(8, in.sun_mask, kNearest);
+    set.sampled(8, in.sun_mask, gpu::kNearest);
   else
     set.sampled(8, in.environment.background);
 }
@@ -39,11 +36,11 @@ void bind_sun_shadows(graph::SetWriter& set, const ShadingInputs& in) {
 void bind_veils(graph::SetWriter& set, const ShadingInputs& in) {
   const gpu::Image& none = in.scene.gpu->projectors().array;
   if (in.shadow_veils.version != 0)
-    set.sampled(14, in.shadow_veils, kNearest);
+    set.sampled(14, in.shadow_veils, gpu::kNearest);
   else
     set.sampled(14, none);
   if (in.sun_veils.version != 0)
-    set.sampled(15, in.sun_veils, kNearest);
+    set.sampled(15, in.sun_veils, gpu::kNearest);
   else
     set.sampled(15, none);
 }
@@ -109,9 +106,9 @@ void bind(graph::SetWriter& set, const ShadingInputs& in) {
 }
 
 void bind(graph::SetWriter& set, const GBuffer& in) {
-  set.sampled(1, in.rt0, kNearest)
-      .sampled(2, in.rt1, kNearest)
-      .sampled(3, in.rt2, kNearest)
+  set.sampled(1, in.rt0, gpu::kNearest)
+      .sampled(2, in.rt1, gpu::kNearest)
+      .sampled(3, in.rt2, gpu::kNearest)
       .sampled(4, in.depth)
       .stencil(5, in.depth);
 }

@@ -92,8 +92,7 @@ shading::Cascade gpu_cascade(const SunMap& map, const glm::dvec3& eye, const Pen
 }
 
 void bind(graph::SetWriter& set, const FarSunMap& map, graph::GraphImage unused) {
-  constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST};
-  set.sampled(16, map.kind == FarSun::off ? unused : map.image, kNearest);
+  set.sampled(16, map.kind == FarSun::off ? unused : map.image, gpu::kNearest);
   set.sampled(17, map.kind == FarSun::static_map ? map.image : unused, {.compare = true});
 }
 

@@ -140,8 +140,8 @@ std::vector<Draw> visible_casters(const CasterTable& table, CasterKind kind, std
   return draws;
 }
 
-gpu::RasterState veil_state(VkFormat veils, VkFormat depth, bool depth_clamp) {
-  return {.color_formats = {veils},
+gpu::RasterState veil_state(VkFormat depth, bool depth_clamp) {
+  return {.color_formats = {kVeilFormat},
           .depth_format = depth,
           .depth_write = false,
           .depth_clamp = depth_clamp,

@@ -51,12 +51,13 @@ struct CasterView {
   gpu::RasterState state;  // formats, bias, blending: all but topology, vertices and constants
 };
 
-// A map where no BLEND surface stands: shading/translucency.glsl.
+// Of maps of veils, shading/translucency.glsl, and one where no BLEND surface stands.
+inline constexpr VkFormat kVeilFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 inline constexpr std::array<float, 4> kNoVeil{1.0f, 1.0f, 1.0f, 0.0f};
 
 // Of CasterView, for translucent casters: they test depth without writing or biasing it, so that what opaque casters
 // hide dyes nothing.
-[[nodiscard]] gpu::RasterState veil_state(VkFormat veils, VkFormat depth, bool depth_clamp);
+[[nodiscard]] gpu::RasterState veil_state(VkFormat depth, bool depth_clamp);
 
 // Draws casters of one kind, between begin_rendering() and end_rendering(): opaque ones and cutouts into depth alone,
 // translucent ones into a colour target by veil_state(), cleared to kNoVeil: rgb becomes what passes them all, a the

@@ -7,7 +7,6 @@
 #include "support/pictures.hpp"
 #include "support/settings.hpp"
 
-#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,12 +27,6 @@ RenderRequest request(const std::string& options) {
   RenderRequest request = linear_request(kSize, kSize);
   set_options(request.settings, options);
   return request;
-}
-
-std::size_t passes_named(const RenderResult& result, const std::string& name) {
-  const auto& passes = result.report.passes;
-  return static_cast<std::size_t>(
-      std::count_if(passes.begin(), passes.end(), [&](const auto& pass) { return pass.name == name; }));
 }
 
 // A roof of two metres above a floor of eight, under a sun that leans towards -x by its slope. A camera looks down,
@@ -76,20 +69,9 @@ TEST(FarShadow, FallsWhereGeometrySays) {
 // A plane that turns away from the sun shows no shadow of its own, in maps so coarse that a texel spans many pixels.
 TEST(FarShadow, NoPlaneShadowsItself) {
   for (const float tilt : {0.0f, 30.0f, 60.0f, 80.0f, 85.0f}) {
-    GltfWriter scene;
-    scene.add_quad(scene.add_material({}), {0, 0, 0}, {0, 1, 0}, {12, 12});
-    const float turn = glm::radians(tilt);
-    scene.add_light({.type = "directional",
-                     .intensity = 10.0f,
-                     .direction = {-std::sin(turn) * 0.8f, -std::cos(turn), -std::sin(turn) * 0.6f},
-                     .extras = {{"angular_radius", 0.00465f}}});
-    const Scene loaded = scene.load();
-    for (const auto& kind : {kVsm + "sun_shadows.far_size=128", kStatic + "sun_shadows.static_size=128"}) {
-      RenderRequest view = request(kind);
-      view.look_at = LookAt{.eye = {3.0f, 2.5f, 4.0f}, .vertical_fov_deg = 40.0f};
-      const auto share = shadow_of(loaded, view);
-      EXPECT_GT(*std::min_element(share.begin(), share.end()), 0.999f) << tilt << " degrees, " << kind;
-    }
+    const Scene plane = tilted_plane(tilt);
+    for (const auto& options : {kVsm + "sun_shadows.far_size=128", kStatic + "sun_shadows.static_size=128"})
+      EXPECT_GT(darkest_on_plane(plane, options), 0.999f) << tilt << " degrees, " << options;
   }
 }
 
@@ -158,7 +140,7 @@ TEST(FarShadow, CostsNothingWhereCascadesReach) {
   for (const char* options : {"", "sun_shadows.cascades=1", "sun_shadows.distance=1000", "sun_shadows.enabled=off"}) {
     RenderRequest view = request(options);
     const auto result = engine().render(roof, view);
-    EXPECT_EQ(passes_named(result, "far_shadows"), 0u) << options;
+    EXPECT_EQ(passes_named(result.report, "far_shadows"), 0u) << options;
     RenderRequest off = view;
     off.settings.sun_shadows.far = FarSun::off;
     EXPECT_EQ(largest_error(result.picture.linear, picture_of(roof, off).linear), 0.0) << options;
@@ -176,7 +158,7 @@ TEST(FarShadow, TheStaticMapReplacesTheLastTwoCascades) {
     RenderRequest view = request(options);
     view.look_at = LookAt{.eye = {0, 1, 6}, .vertical_fov_deg = 10.0f};
     const bool whole = *cascades == '1';
-    EXPECT_EQ(passes_named(engine().render(roof, view), "far_shadows"), whole ? 0u : 1u) << cascades;
+    EXPECT_EQ(passes_named(engine().render(roof, view).report, "far_shadows"), whole ? 0u : 1u) << cascades;
     RenderRequest plain = view;
     plain.settings.sun_shadows.far = FarSun::off;
     const auto with = shadow_of(roof, view), without = shadow_of(roof, plain);
@@ -193,8 +175,8 @@ TEST(FarShadow, WhatMovesIsInNoStaticMap) {
     RenderRequest view = request("sun_shadows.far=static_map");
     view.sun = Sun{};
     const auto result = engine().render(moving, view);
-    EXPECT_EQ(passes_named(result, "sun_shadows"), 1u) << file;
-    EXPECT_EQ(passes_named(result, "far_shadows"), 0u) << file;
+    EXPECT_EQ(passes_named(result.report, "sun_shadows"), 1u) << file;
+    EXPECT_EQ(passes_named(result.report, "far_shadows"), 0u) << file;
     view.settings.sun_shadows.far = FarSun::vsm;
     EXPECT_EQ(largest_error(result.picture.linear, picture_of(moving, view).linear), 0.0) << file;
   }
@@ -206,20 +188,20 @@ TEST(FarShadow, TheStaticMapIsDrawnOnceForOneSun) {
   Engine keeping(validated());
   const auto view = request(kStatic + kStaggered);
   const auto first = keeping.render(roof, view), second = keeping.render(roof, view);
-  EXPECT_EQ(passes_named(first, "far_shadows"), 1u);
-  EXPECT_EQ(passes_named(second, "far_shadows"), 0u);
+  EXPECT_EQ(passes_named(first.report, "far_shadows"), 1u);
+  EXPECT_EQ(passes_named(second.report, "far_shadows"), 0u);
   EXPECT_EQ(largest_error(second.picture.linear, first.picture.linear), 0.0);
   // A view that needs no such map between two that do.
-  EXPECT_EQ(passes_named(keeping.render(roof, request(kStaggered)), "far_shadows"), 0u);
-  EXPECT_EQ(passes_named(keeping.render(roof, view), "far_shadows"), 0u);
+  EXPECT_EQ(passes_named(keeping.render(roof, request(kStaggered)).report, "far_shadows"), 0u);
+  EXPECT_EQ(passes_named(keeping.render(roof, view).report, "far_shadows"), 0u);
   RenderRequest turned = view;
   turned.sun = Sun{.azimuth_deg = 30.0f, .elevation_deg = 40.0f, .illuminance_lux = 9.0f};
   const auto third = keeping.render(roof, turned);
-  EXPECT_EQ(passes_named(third, "far_shadows"), 1u);
+  EXPECT_EQ(passes_named(third.report, "far_shadows"), 1u);
   EXPECT_EQ(largest_error(third.picture.linear, picture_of(roof, turned).linear), 0.0);
-  EXPECT_EQ(passes_named(keeping.render(noon, view), "far_shadows"), 1u);
+  EXPECT_EQ(passes_named(keeping.render(noon, view).report, "far_shadows"), 1u);
   const auto stateless = request(kStatic);
-  for (int i = 0; i < 2; ++i) EXPECT_EQ(passes_named(keeping.render(roof, stateless), "far_shadows"), 1u);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(passes_named(keeping.render(roof, stateless).report, "far_shadows"), 1u);
 }
 
 TEST(FarShadow, TheMapOfMomentsIsDrawnForEveryEighthPicture) {
@@ -229,7 +211,7 @@ TEST(FarShadow, TheMapOfMomentsIsDrawnForEveryEighthPicture) {
   const auto first = keeping.render(roof, view);
   for (int picture = 0; picture < 17; ++picture) {
     const auto result = picture == 0 ? first : keeping.render(roof, view);
-    EXPECT_EQ(passes_named(result, "far_shadows"), picture % 8 == 0 ? 1u : 0u) << picture;
+    EXPECT_EQ(passes_named(result.report, "far_shadows"), picture % 8 == 0 ? 1u : 0u) << picture;
     EXPECT_EQ(largest_error(result.picture.linear, first.picture.linear), 0.0) << picture;
   }
 }
@@ -263,7 +245,7 @@ TEST(FarShadow, NoSceneNoMap) {
   empty.add_orthographic_camera({0, 1, 0}, {0, 0, 0}, 1.0f, 10.0f);
   const Scene nothing = empty.load();
   for (const auto& kind : {kVsm, kStatic})
-    EXPECT_EQ(passes_named(engine().render(nothing, request(kind)), "far_shadows"), 0u);
+    EXPECT_EQ(passes_named(engine().render(nothing, request(kind)).report, "far_shadows"), 0u);
 }
 
 TEST(FarShadow, DeclaresWhatItReads) {

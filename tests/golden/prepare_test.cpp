@@ -2,12 +2,11 @@
 
 #include "support/device.hpp"
 #include "support/gltf_writer.hpp"
+#include "support/pictures.hpp"
 
 #include <velarium/error.hpp>
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
 
 namespace velarium::test {
 namespace {
@@ -27,11 +26,6 @@ Scene box(const std::string& alpha_mode) {
   writer.add_box(material, {0, 0, 0}, {1, 1, 1});
   writer.add_light({.intensity = 5.0f, .position = {1.0f, 2.0f, 1.0f}});
   return writer.load();
-}
-
-bool has_pass(const RenderReport& report, const std::string& name) {
-  return std::any_of(report.passes.begin(), report.passes.end(),
-                     [&](const PassTime& pass) { return pass.name == name; });
 }
 
 TEST(Prepare, APreparedEngineDrawsTheSamePicture) {
@@ -63,8 +57,8 @@ TEST(Prepare, AMissingEnvironmentIsSaidAhead) {
 }
 
 TEST(Prepare, OpaqueScenesHaveNoPassForBlending) {
-  EXPECT_FALSE(has_pass(engine().render(box("OPAQUE"), request()).report, "forward"));
-  EXPECT_TRUE(has_pass(engine().render(box("BLEND"), request()).report, "forward"));
+  EXPECT_EQ(passes_named(engine().render(box("OPAQUE"), request()).report, "forward"), 0u);
+  EXPECT_GT(passes_named(engine().render(box("BLEND"), request()).report, "forward"), 0u);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include "support/pictures.hpp"
 #include "support/settings.hpp"
 
-#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,21 +32,10 @@ void look_down(GltfWriter& scene, float height, float half) {
 // A plane that turns away from the sun shows no shadow of its own, in maps so coarse that a texel spans many pixels.
 TEST(SunShadow, NoPlaneShadowsItself) {
   for (const float tilt : {0.0f, 20.0f, 45.0f, 60.0f, 70.0f, 80.0f, 85.0f}) {
-    GltfWriter scene;
-    scene.add_quad(scene.add_material({}), {0, 0, 0}, {0, 1, 0}, {12, 12});
-    const float turn = glm::radians(tilt);
-    scene.add_light({.type = "directional",
-                     .intensity = 10.0f,
-                     .direction = {-std::sin(turn) * 0.8f, -std::cos(turn), -std::sin(turn) * 0.6f},
-                     .extras = {{"angular_radius", 0.00465f}}});
-    const Scene loaded = scene.load();
-    for (const char* soft : {"on", "off"}) {
-      RenderRequest view = request(64, std::string("sun_shadows.size=128 sun_shadows.soft=") + soft);
-      view.look_at = LookAt{.eye = {3.0f, 2.5f, 4.0f}, .vertical_fov_deg = 40.0f};
-      const auto share = shadow_of(loaded, view);
-      const float darkest = *std::min_element(share.begin(), share.end());
-      EXPECT_GT(darkest, 0.999f) << tilt << " degrees, soft " << soft;
-    }
+    const Scene plane = tilted_plane(tilt);
+    for (const char* soft : {"on", "off"})
+      EXPECT_GT(darkest_on_plane(plane, std::string("sun_shadows.size=128 sun_shadows.soft=") + soft), 0.999f)
+          << tilt << " degrees, soft " << soft;
   }
 }
 

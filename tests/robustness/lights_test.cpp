@@ -40,11 +40,6 @@ Picture lit_by(const std::vector<TestLight>& lights) {
   return picture_of(scene.load(), request);
 }
 
-bool is_finite(const Picture& picture) {
-  return !picture.linear.empty() &&
-         std::all_of(picture.linear.begin(), picture.linear.end(), [](float value) { return std::isfinite(value); });
-}
-
 // The share of the pixels that get light of any colour.
 double lit_share(const Picture& picture) {
   std::size_t lit = 0;

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -39,11 +38,6 @@ std::optional<ErrorCode> refusal_of(const std::function<void(RenderRequest&)>& c
     (void)picture_of(spheres(), request);
   } catch (const Error& error) { return error.code(); }
   return std::nullopt;
-}
-
-bool is_finite(const Picture& picture) {
-  return !picture.linear.empty() &&
-         std::all_of(picture.linear.begin(), picture.linear.end(), [](float value) { return std::isfinite(value); });
 }
 
 TEST(Requests, SizesThatTheDeviceDoesNotTakeAreRefused) {

@@ -2,6 +2,9 @@
 
 #include "support/device.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace velarium::test {
 namespace {
 
@@ -53,6 +56,16 @@ image::ByteImage bytes_of(const Picture& picture) {
 Rgba8 byte_at(const Picture& picture, std::uint32_t x, std::uint32_t y) {
   const std::uint16_t* pixel = &picture.display.at(offset_of(picture, x, y));
   return {to_byte(pixel[0]), to_byte(pixel[1]), to_byte(pixel[2]), to_byte(pixel[3])};
+}
+
+bool is_finite(const Picture& picture) {
+  return !picture.linear.empty() &&
+         std::all_of(picture.linear.begin(), picture.linear.end(), [](float value) { return std::isfinite(value); });
+}
+
+std::size_t passes_named(const RenderReport& report, const std::string& name) {
+  return static_cast<std::size_t>(std::count_if(report.passes.begin(), report.passes.end(),
+                                                [&](const PassTime& pass) { return pass.name == name; }));
 }
 
 Picture picture_of(const Scene& scene, const RenderRequest& request) {

@@ -9,7 +9,9 @@
 #include <glm/vec4.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace velarium::test {
 
@@ -26,6 +28,12 @@ namespace velarium::test {
 
 using Rgba8 = std::array<std::uint8_t, 4>;
 [[nodiscard]] Rgba8 byte_at(const Picture& picture, std::uint32_t x, std::uint32_t y);
+
+// Has it pixels, and are all of them numbers?
+[[nodiscard]] bool is_finite(const Picture& picture);
+
+// How many passes of this name the picture took.
+[[nodiscard]] std::size_t passes_named(const RenderReport& report, const std::string& name);
 
 // The picture that the program's engine makes.
 [[nodiscard]] Picture picture_of(const Scene& scene, const RenderRequest& request);

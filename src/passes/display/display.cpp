@@ -16,10 +16,6 @@ constexpr std::uint32_t kAverageShader[] =
 #include "shaders/average.comp.inc"
     ;
 
-// Texels are fetched one by one; not every device filters 32-bit floats.
-constexpr gpu::SamplerDesc kNearest{
-    .mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST, .mip = VK_SAMPLER_MIPMAP_MODE_NEAREST};
-
 static_assert(static_cast<std::uint32_t>(Tonemap::neutral) == shading::kTonemapNeutral);
 static_assert(static_cast<std::uint32_t>(Tonemap::agx) == shading::kTonemapAgx);
 static_assert(static_cast<std::uint32_t>(Tonemap::aces) == shading::kTonemapAces);
@@ -75,7 +71,7 @@ graph::GraphBuffer add(graph::Graph& graph, const Inputs& in, const Settings& se
   pass.run([=](graph::Context& c) {
     const auto& pipeline = c.tools().pipelines.compute(kDisplayShader, constants);
     c.bind(pipeline);
-    c.set(pipeline, 0).sampled(0, in.sum, kNearest).buffer(1, in.exposure).storage(2, values).bind();
+    c.set(pipeline, 0).sampled(0, in.sum, gpu::kNearest).buffer(1, in.exposure).storage(2, values).bind();
     c.push(pipeline, push);
     c.dispatch(desc.width, desc.height, 8, 8);
   });
@@ -91,7 +87,7 @@ graph::GraphBuffer linear_readback(graph::Graph& graph, graph::GraphImage sum, s
   pass.run([=](graph::Context& c) {
     const auto& pipeline = c.tools().pipelines.compute(kAverageShader);
     c.bind(pipeline);
-    c.set(pipeline, 0).sampled(0, sum, kNearest).storage(1, mean).bind();
+    c.set(pipeline, 0).sampled(0, sum, gpu::kNearest).storage(1, mean).bind();
     c.push(pipeline, frame_weight);
     c.dispatch(desc.width, desc.height, 8, 8);
   });

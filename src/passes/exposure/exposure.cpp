@@ -18,10 +18,6 @@ constexpr std::uint32_t kResolveShader[] =
 #include "shaders/exposure_resolve.comp.inc"
     ;
 
-// Texels are fetched one by one; not every device filters 32-bit floats.
-constexpr gpu::SamplerDesc kNearest{
-    .mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST, .mip = VK_SAMPLER_MIPMAP_MODE_NEAREST};
-
 // Fixed, and so is the order of the sums: every device and driver adds the same numbers in the same order.
 constexpr std::uint32_t kPartialCount = 64;
 
@@ -44,7 +40,7 @@ graph::GraphBuffer add_partial(graph::Graph& graph, const Inputs& in) {
   pass.run([=](graph::Context& c) {
     const auto& pipeline = c.tools().pipelines.compute(kPartialShader);
     c.bind(pipeline);
-    c.set(pipeline, 0).sampled(0, in.sum, kNearest).buffer(1, partial).bind();
+    c.set(pipeline, 0).sampled(0, in.sum, gpu::kNearest).buffer(1, partial).bind();
     c.push(pipeline, PartialPush{1.0f / static_cast<float>(in.frame_count)});
     c.dispatch(kPartialCount, 1, 1, 1);
   });

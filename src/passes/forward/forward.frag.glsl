@@ -3,6 +3,7 @@
 
 // Transparent surfaces, shaded where they are drawn, by the same maths and the same light lists as the opaque ones.
 
+#include "shading/constants.glsl"
 #include "upload/material.glsl"
 #include "upload/light_lists.glsl"
 #include "upload/sun_shadows.glsl"
@@ -18,8 +19,6 @@ layout(location = 3) in vec4 in_color;
 layout(location = 4) in vec3 in_position_ws;
 
 layout(location = 0) out vec4 out_hdr;   // premultiplied
-
-const float kMaxRadiance = 65504.0;      // of the half floats that the picture is kept in
 
 uint tile_light_word(uint word) {
   uint words = (frame.light_count + 31u) / 32u;
@@ -56,5 +55,5 @@ void main() {
   float alpha = clamp(base_color.a, 0.0, 1.0);
   own_veil = blend_transmittance(clamp(base_color.rgb, 0.0, 1.0), alpha);
   vec3 radiance = unlit ? base_color.rgb : shade(f, base_color.rgb);
-  out_hdr = vec4(min(radiance, kMaxRadiance) * alpha, alpha);
+  out_hdr = vec4(min(radiance, kLargestHalf) * alpha, alpha);
 }

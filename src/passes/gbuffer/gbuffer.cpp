@@ -19,8 +19,6 @@ constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT_S8_UINT;
 const std::vector<VkFormat> kColorFormats{VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R8G8B8A8_UNORM,
                                           VK_FORMAT_R16G16B16A16_SFLOAT};
 
-constexpr gpu::SamplerDesc kTableSampler{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST};
-
 // What tells pipelines of this pass apart.
 struct Variant {
   scene::Topology topology;
@@ -63,7 +61,7 @@ void draw_all(graph::Context& c, const Inputs& in) {
     if (&pipeline != bound_pipeline) {
       c.bind(pipeline);
       c.set(pipeline, 0).buffer(0, in.scene.frame).buffer(1, in.scene.objects).bind();
-      c.set(pipeline, 1).sampled(0, in.normal_lengths, kTableSampler).bind();
+      c.set(pipeline, 1).sampled(0, in.normal_lengths, gpu::kNearest).bind();
       bound_pipeline = &pipeline;
       bound_material = -1;
     }

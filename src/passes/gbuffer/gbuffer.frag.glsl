@@ -1,6 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
+#include "shading/constants.glsl"
 #include "shading/gbuffer.glsl"
 #include "upload/material.glsl"
 
@@ -18,9 +19,6 @@ layout(location = 1) out vec4 out_rt1;
 layout(location = 2) out vec4 out_rt2;
 layout(location = 3) out vec4 out_emissive;   // rgb: nits; a: coverage
 
-// The largest finite half float: what the HDR target holds.
-const float kMaxRadiance = 65504.0;
-
 void main() {
   FragmentInput f = FragmentInput(in_normal_ws, in_tangent_ws, in_uv, in_color, gl_FrontFacing);
   vec4 base_color = material_base_color(f);
@@ -30,7 +28,7 @@ void main() {
   bool unlit = (material.flags & kMaterialUnlit) != 0u || dot(f.normal_ws, f.normal_ws) == 0.0;
   if (unlit) {
     out_rt0 = out_rt1 = out_rt2 = vec4(0.0);
-    out_emissive = vec4(min(base_color.rgb, kMaxRadiance), 1.0);
+    out_emissive = vec4(min(base_color.rgb, kLargestHalf), 1.0);
     return;
   }
   Surface surface = material_surface(f, base_color.rgb);
@@ -39,5 +37,5 @@ void main() {
   out_rt0 = texel.rt0;
   out_rt1 = texel.rt1;
   out_rt2 = texel.rt2;
-  out_emissive = vec4(min(material_emissive(f), kMaxRadiance), 1.0);
+  out_emissive = vec4(min(material_emissive(f), kLargestHalf), 1.0);
 }

@@ -5,6 +5,7 @@
 // A tile keeps a light when its sphere passes the side planes, the box and the 32-slice depth mask, and a spot when its
 // cone passes as well; the list is a bit mask in light order, so that sums are the same on every run and equal to a loop over all lights.
 
+#include "shading/constants.glsl"
 #include "shading/tile_culling.glsl"
 #include "upload/gpu_structs.glsl"
 
@@ -28,8 +29,6 @@ layout(constant_id = 22) const uint kLamps = 1u;          // 0: none shines; 1: 
 shared uint tile_min, tile_max;      // bits of positive floats, which order as the floats do
 shared uint tile_depth_mask;
 shared uint tile_lights[kMaxLights / 32u];
-
-const float kMaxRadiance = 65504.0;  // of the half floats that the picture is kept in
 
 // tile_sphere: around the tile, in world space.
 bool light_reaches(TileVolume tile, vec4 tile_sphere, uint index) {
@@ -122,7 +121,7 @@ vec4 background(vec2 ndc) {
   vec3 direction_vs = frame.perspective > 0.5 ? normalize(far_vs) : vec3(0.0, 0.0, -1.0);
   vec3 direction_ws = transpose(mat3(frame.view_from_world)) * direction_vs;
   vec2 uv = equirect_uv(to_environment(direction_ws, frame));
-  return vec4(min(textureLod(background_map, uv, 0.0).rgb * frame.environment.x, kMaxRadiance), 1.0);
+  return vec4(min(textureLod(background_map, uv, 0.0).rgb * frame.environment.x, kLargestHalf), 1.0);
 }
 
 void shade(uvec2 at) {
@@ -139,7 +138,7 @@ void shade(uvec2 at) {
   vec3 light = imageLoad(hdr, pixel).rgb + environment_light(p, frame);
   if (kLamps == 1u) light += punctual_lights(p, frame);
   if (kLamps == 2u) light += texelFetch(lamp_map, pixel, 0).rgb;
-  imageStore(hdr, pixel, vec4(min(light, kMaxRadiance), 1.0));
+  imageStore(hdr, pixel, vec4(min(light, kLargestHalf), 1.0));
 }
 
 void main() {

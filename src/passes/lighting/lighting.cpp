@@ -9,7 +9,6 @@ constexpr std::uint32_t kShader[] =
 #include "shaders/lighting.comp.inc"
     ;
 
-constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST};
 // The azimuth wraps around.
 constexpr gpu::SamplerDesc kEquirect{.wrap_u = VK_SAMPLER_ADDRESS_MODE_REPEAT};
 
@@ -82,7 +81,7 @@ Outputs add(graph::Graph& graph, const Inputs& in) {
         .buffer(9, list_buffer);
     passes::bind(own, in.surface);
     if (in.lamps.version != 0)
-      own.sampled(10, in.lamps, kNearest);
+      own.sampled(10, in.lamps, gpu::kNearest);
     else
       own.sampled(10, in.shading.environment.background);  // bound, never read
     own.bind();

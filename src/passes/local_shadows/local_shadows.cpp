@@ -17,7 +17,6 @@ using graph::Access;
 using upload::CasterKind;
 
 constexpr VkFormat kFormat = VK_FORMAT_D32_SFLOAT;
-constexpr VkFormat kVeilFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 // A texel stores the depth at its middle, and bilinear comparisons reach a texel away on both axes: there the plane of
 // the surface itself is nearer by up to both slopes, at most twice the steeper one. Reversed depth: away is less.
@@ -42,8 +41,7 @@ void draw_map(const graph::Context& c, const upload::SceneTables& scene, const M
 
 void draw_veils(const graph::Context& c, const upload::SceneTables& scene, const MapDraw& map) {
   c.set_area(area_of(map.tile));
-  const upload::CasterView view{.clip_from_world = map.clip_from_world,
-                                .state = upload::veil_state(kVeilFormat, kFormat, false)};
+  const upload::CasterView view{.clip_from_world = map.clip_from_world, .state = upload::veil_state(kFormat, false)};
   const auto draws = upload::visible_casters(scene.casters, CasterKind::translucent, map.planes);
   upload::draw_casters(c.tools(), c.commands(), scene, draws, CasterKind::translucent, view);
 }
@@ -77,7 +75,7 @@ void allocate(Maps& maps, gpu::Device& device, std::uint32_t side, bool veiled) 
     maps.veils = {};
   }
   if (!maps.atlas) maps.atlas = gpu::Image(device, depth, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | kRead);
-  const gpu::ImageDesc veils{.format = kVeilFormat, .width = side, .height = side, .array = true};
+  const gpu::ImageDesc veils{.format = upload::kVeilFormat, .width = side, .height = side, .array = true};
   if (!veiled)
     maps.veils = {};
   else if (!maps.veils)

@@ -13,8 +13,6 @@ constexpr std::uint32_t kShader[] =
 #include "shaders/normal_variance.comp.inc"
     ;
 
-constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST};
-
 struct Push {
   float share;  // of the variance between the taps: what one frame of the picture should see of it
   std::uint32_t dim_dielectrics;
@@ -38,7 +36,7 @@ graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings& set
     c.bind(pipeline);
     c.set(pipeline, 0)
         .buffer(0, in.scene.frame)
-        .sampled(1, in.rt0, kNearest)
+        .sampled(1, in.rt0, gpu::kNearest)
         .sampled(2, in.depth)
         .storage(3, rt2)
         .bind();

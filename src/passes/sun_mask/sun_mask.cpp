@@ -18,8 +18,6 @@ constexpr std::uint32_t kGroup = 8;
 constexpr std::size_t kTapsConstant = 13;  // upload/shadow_taps.glsl
 constexpr std::size_t kFarConstant = 15;   // upload/far_shadows.glsl
 
-constexpr gpu::SamplerDesc kNearest{.mag = VK_FILTER_NEAREST, .min = VK_FILTER_NEAREST};
-
 }  // namespace
 
 graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings& settings) {
@@ -39,7 +37,7 @@ graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings& set
     c.bind(pipeline);
     c.set(pipeline, 0)
         .buffer(0, in.scene.frame)
-        .sampled(1, in.rt0, kNearest)
+        .sampled(1, in.rt0, gpu::kNearest)
         .sampled(4, in.depth)
         .storage(6, occlusion)
         .bind();

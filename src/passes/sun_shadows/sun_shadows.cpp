@@ -18,7 +18,6 @@ using graph::Access;
 using upload::CasterKind;
 
 constexpr VkFormat kFormat = VK_FORMAT_D32_SFLOAT;
-constexpr VkFormat kVeilFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 // Maps that are kept are larger than what they serve, so that a view that moves stays inside for a while.
 constexpr double kRoom = 1.1;
@@ -97,7 +96,7 @@ void add_veils(graph::Graph& graph, const Inputs& in, Outputs& out) {
       c.begin_rendering({.colors = {{out.veils}}, .depth = out.depths, .depth_writable = false, .layer = i});
       c.clear_color({0, 0, size.width, size.height}, upload::kNoVeil);
       const upload::CasterView view{.clip_from_world = clip_from_world(maps[i], in.maps.eye()),
-                                    .state = upload::veil_state(kVeilFormat, kFormat, true)};
+                                    .state = upload::veil_state(kFormat, true)};
       upload::draw_casters(c.tools(), c.commands(), in.scene,
                            upload::visible_casters(in.scene.casters, CasterKind::translucent, caster_planes(maps[i])),
                            CasterKind::translucent, view);
@@ -193,7 +192,7 @@ void Maps::allocate(gpu::Device& device, std::uint32_t size) {
     veils_ = {};
   }
   if (!depths_) depths_ = gpu::Image(device, desc, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | kRead);
-  desc.format = kVeilFormat;
+  desc.format = upload::kVeilFormat;
   if (std::find(veiled_.begin(), veiled_.end(), true) == veiled_.end())
     veils_ = {};
   else if (!veils_)

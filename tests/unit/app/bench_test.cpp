@@ -3,6 +3,7 @@
 #include "bench_sweep.hpp"
 
 #include <velarium/error.hpp>
+#include <velarium/median.hpp>
 
 #include <gtest/gtest.h>
 
@@ -12,10 +13,10 @@ namespace velarium::app {
 namespace {
 
 TEST(Statistics, MediansAreTheMiddle) {
-  EXPECT_EQ(median({}), 0.0);
-  EXPECT_EQ(median({3}), 3.0);
-  EXPECT_EQ(median({9, 1, 4}), 4.0);
-  EXPECT_EQ(median({9, 1, 4, 2}), 3.0);
+  EXPECT_EQ(median<double>({}), 0.0);
+  EXPECT_EQ(median<double>({3}), 3.0);
+  EXPECT_EQ(median<double>({9, 1, 4}), 4.0);
+  EXPECT_EQ(median<double>({9, 1, 4, 2}), 3.0);
   EXPECT_EQ(median_absolute_deviation({1, 1, 2, 2, 4, 6, 9}), 1.0);  // distances from 2: 1 1 0 0 2 4 7
   EXPECT_EQ(median_absolute_deviation({5, 5, 5, 1000}), 0.0);
 }

@@ -1,5 +1,7 @@
 #include "scene/moment.hpp"
 
+#include "expect_near.hpp"
+
 #include <velarium/error.hpp>
 
 #include <glm/geometric.hpp>
@@ -16,16 +18,13 @@
 namespace velarium::scene {
 namespace {
 
+using test::expect_near;
+
 constexpr float kRounding = 1e-5f;
 
 glm::vec3 project(const glm::mat4& clip_from_view, const glm::vec3& view) {
   const glm::vec4 clip = clip_from_view * glm::vec4(view, 1);
   return glm::vec3(clip) / clip.w;
-}
-
-void expect_near(const glm::vec3& a, const glm::vec3& b, float tolerance = kRounding) {
-  EXPECT_LE(glm::length(a - b), tolerance)
-      << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' ' << b.z;
 }
 
 Camera perspective(float fov_degrees, float z_near) {

@@ -1,5 +1,7 @@
 #include "scene/moment.hpp"
 
+#include "expect_near.hpp"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
@@ -12,12 +14,9 @@
 namespace velarium::scene {
 namespace {
 
-constexpr float kRounding = 1e-5f;
+using test::expect_near;
 
-void expect_near(const glm::vec3& a, const glm::vec3& b, float tolerance = kRounding) {
-  EXPECT_LE(glm::length(a - b), tolerance)
-      << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' ' << b.z;
-}
+constexpr float kRounding = 1e-5f;
 
 // One triangle in the plane z = 0, with normals and tangents.
 Primitive triangle() {

@@ -1,5 +1,6 @@
 // Moments of the files in tests/data, against what the files were made to show.
 
+#include "expect_near.hpp"
 #include "scene/gltf.hpp"
 #include "scene/moment.hpp"
 
@@ -14,13 +15,10 @@
 namespace velarium::scene {
 namespace {
 
+using test::expect_near;
+
 Scene test_scene(const char* name) {
   return read_gltf(std::filesystem::path(VELARIUM_TEST_DATA) / name);
-}
-
-void expect_near(const glm::vec3& a, const glm::vec3& b) {
-  EXPECT_LE(glm::length(a - b), 1e-5f) << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' '
-                                       << b.z;
 }
 
 // Three joints a metre apart, the upper two turned by the same angle: the top stands at the end of three unit steps.

@@ -1,5 +1,6 @@
 #include "scene/tangents.hpp"
 
+#include "expect_near.hpp"
 #include "scene/mikktspace.hpp"
 
 #include <glm/geometric.hpp>
@@ -18,12 +19,9 @@
 namespace velarium::scene {
 namespace {
 
-constexpr float kRounding = 1e-6f;
+using test::expect_near;
 
-void expect_near(const glm::vec3& a, const glm::vec3& b, float tolerance = kRounding) {
-  EXPECT_LE(glm::length(a - b), tolerance)
-      << a.x << ' ' << a.y << ' ' << a.z << " against " << b.x << ' ' << b.y << ' ' << b.z;
-}
+constexpr float kRounding = 1e-6f;
 
 // A square in the plane z = 0 that faces +Z, with uv as glTF images lie: u to the right, v down.
 Primitive upright_square() {
