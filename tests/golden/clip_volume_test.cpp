@@ -116,6 +116,12 @@ TEST(ClipVolumes, TilesLoseNothing) {
   EXPECT_EQ(largest_error(tiled.linear, picture_of(scene, request).linear), 0.0);
 }
 
+TEST(ClipVolumes, EndLightsThatAreDrawnAsBodies) {
+  RenderRequest request = seen_from({-3.5f, 1.6f, 2.7f}, {0.5f, 0.9f, 0.5f});
+  request.settings.lighting.path = LightingPath::volumes;
+  expect_only_room_a(lamp("spot"), request);
+}
+
 TEST(ClipVolumes, EndLightsOfThePathTracerToo) {
   ReferenceRequest request{.view = seen_from({-3.5f, 1.6f, 2.7f}, {0.5f, 0.9f, 0.5f})};
   request.view.settings.reference.spp = 4;

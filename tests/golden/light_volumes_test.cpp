@@ -4,6 +4,7 @@
 #include "support/gltf_writer.hpp"
 #include "support/metric.hpp"
 #include "support/pictures.hpp"
+#include "support/settings.hpp"
 
 #include <velarium/compare.hpp>
 #include <velarium/reference.hpp>
@@ -103,6 +104,51 @@ TEST(LightVolumes, GiveThePictureOfTilesInScenesOfEveryKind) {
     const RenderRequest request = two_frames(80, 60);
     expect_same_light(picture_of(scene, request), picture_of(scene, volumes(request)));
   }
+}
+
+// All that stands between a light and a point, of each kind of light: shadows with and without penumbrae, a sheet that
+// dyes them, a volume that some lights end at.
+Scene lights_behind_things() {
+  GltfWriter scene;
+  const int grey = scene.add_material({.base_color = {0.7f, 0.7f, 0.7f, 1}, .double_sided = true});
+  scene.add_quad(grey, {0, 0, 0}, {0, 1, 0}, {8, 8});
+  scene.add_box(grey, {-0.8f, 0.5f, 0}, {0.6f, 1, 0.6f});
+  scene.add_box(grey, {0.7f, 0.9f, -0.4f}, {0.9f, 0.05f, 0.5f});
+  const int red =
+      scene.add_material({.base_color = {0.8f, 0.2f, 0.1f, 0.6f}, .double_sided = true, .alpha_mode = "BLEND"});
+  scene.add_quad(red, {0.2f, 1.1f, 0.6f}, {0.2f, 1, 0.1f}, {1.2f, 0.8f});
+  scene.add_clip_box("left", {-2, 2, 0}, {2, 4, 4});
+  for (const char* type : {"point", "spot"})
+    for (const float radius : {0.0f, 0.12f})
+      for (const bool ends : {false, true}) {
+        TestLight light{.type = type,
+                        .intensity = 4.0f,
+                        .range = 7.0f,
+                        .inner_cone = 0.3f,
+                        .outer_cone = 0.6f,
+                        .position = {ends ? -1.5f : 1.3f, 2.4f, radius > 0.0f ? 1.2f : -1.0f}};
+        light.direction = -light.position;
+        light.extras = {{"casts_shadow", true}};
+        if (radius > 0.0f) light.extras["radius"] = radius;
+        if (ends) light.extras["clip_volume"] = "left";
+        scene.add_light(light);
+      }
+  scene.add_light({.type = "directional",
+                   .intensity = 1.0f,
+                   .direction = {-0.4f, -1, -0.3f},
+                   .extras = {{"angular_radius", 0.03f}}});
+  return scene.load();
+}
+
+TEST(LightVolumes, SeeWhatStandsBeforeTheirLight) {
+  const Scene scene = lights_behind_things();
+  RenderRequest request = linear_request(80, 60);
+  request.look_at = LookAt{.eye = {2.5f, 3.0f, 4.0f}, .target = {0, 0.3f, 0}};
+  const Picture drawn = picture_of(scene, volumes(request));
+  expect_same_light(picture_of(scene, request), drawn);
+  // There is much of that in the picture.
+  set_options(request.settings, "local_shadows.enabled=off sun_shadows.enabled=off");
+  EXPECT_GT(largest_error(picture_of(scene, volumes(request)).linear, drawn.linear), 0.1);
 }
 
 TEST(LightVolumes, NeedNoMoreBarriersThanTheySay) {
