@@ -100,7 +100,7 @@ ShadowNeeds shadow_needs(const upload::SceneTables& scene, const upload::ViewMat
   const bool far = !sun.whole || settings.sun_shadows.update == MapUpdate::staggered;
   return {.sun_maps = sun.maps,
           .sun_veils = translucent && settings.sun_shadows.translucent,
-          .far = far ? settings.sun_shadows.far : FarSun::off,
+          .far = far ? far_shadows::possible_kind(settings.sun_shadows.far, scene.casters) : FarSun::off,
           .atlas = lamps,
           .atlas_veils = translucent && settings.local_shadows.translucent,
           .mask_bytes = sun.maps > 0 ? kMaskTexel * pixels : 0};

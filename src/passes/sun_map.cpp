@@ -1,5 +1,7 @@
 #include "passes/sun_map.hpp"
 
+#include "core/assert.hpp"
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -41,6 +43,7 @@ glm::dmat3 sun_axes(const upload::SceneTables& scene) {
 }
 
 LightBox light_box(const glm::dmat3& axes, const scene::Aabb& bounds) {
+  VEL_ASSERT(!bounds.empty());
   LightBox box{glm::dvec3(std::numeric_limits<double>::infinity()),
                glm::dvec3(-std::numeric_limits<double>::infinity())};
   for (int corner = 0; corner < 8; ++corner) {

@@ -118,6 +118,10 @@ bool has_translucent(const CasterTable& table) {
   return !table.casters.empty() && table.casters.back().kind == CasterKind::translucent;
 }
 
+bool has_still(const CasterTable& table) {
+  return std::any_of(table.casters.begin(), table.casters.end(), [](const Caster& caster) { return !caster.moves; });
+}
+
 scene::Aabb bounds_of(const CasterTable& table, CasterChoice choice) {
   scene::Aabb bounds;
   for (const auto& caster : table.casters)

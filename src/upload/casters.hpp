@@ -41,6 +41,7 @@ struct CasterTable {
                                                 CasterChoice choice = CasterChoice::all);
 
 [[nodiscard]] bool has_translucent(const CasterTable& table);
+[[nodiscard]] bool has_still(const CasterTable& table);
 
 // How casters are drawn.
 struct CasterView {

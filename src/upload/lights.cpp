@@ -2,11 +2,17 @@
 
 #include "upload/projectors.hpp"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 
 namespace velarium::upload {
 namespace {
+
+// Beyond this, lux or candela, what thousands of lights reflect at once would be no number of 32 bits: a highlight is
+// up to 6e4 times as bright (kMinAlphaPunctual), a light at hand 1e6 times (kMinLightDistance), and kMaxLights are 2e4.
+constexpr float kBrightestLight = 1e23f;
 
 float gpu_kind(scene::LightKind kind) {
   switch (kind) {
@@ -32,7 +38,7 @@ GpuLight gpu_light(const scene::LightInstance& instance, const glm::dvec3& eye,
   const float size = directional ? std::sin(light.angular_radius) : light.radius;
   return {.position_range = glm::vec4(glm::vec3(glm::dvec3(instance.position) - eye), light.range),
           .direction = glm::vec4(instance.direction, gpu_kind(light.kind)),
-          .color = glm::vec4(light.color * light.intensity, size),
+          .color = glm::vec4(glm::min(light.color * light.intensity, kBrightestLight), size),
           .cone = {cone.x, cone.y, std::cos(light.outer_cone), gpu_falloff(light.falloff)},
           .projector = glm::vec4(instance.right, std::tan(0.5f * light.projector.field_of_view)),
           .projector_layer = projector_layer(light.projector, pictures),

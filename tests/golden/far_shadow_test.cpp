@@ -182,6 +182,22 @@ TEST(FarShadow, WhatMovesIsInNoStaticMap) {
   }
 }
 
+// The same where cascades end before the scene does.
+TEST(FarShadow, BeyondShortCascadesWhatMovesThrowsNoShadow) {
+  const Scene moving = Scene::load(std::filesystem::path(VELARIUM_TEST_DATA) / "skinned_bar.gltf");
+  for (const char* update : {"all", "staggered"}) {
+    Engine fresh(validated());
+    RenderRequest view = request(kStatic + "sun_shadows.update=" + update),
+                  without = request(kBeyond + "sun_shadows.far=off");
+    view.sun = without.sun = Sun{};
+    const auto result = fresh.render(moving, view);
+    EXPECT_EQ(passes_named(result.report, "sun_shadows"), 1u) << update;
+    EXPECT_EQ(passes_named(result.report, "far_shadows"), 0u) << update;
+    EXPECT_TRUE(is_finite(result.picture)) << update;
+    EXPECT_EQ(largest_error(result.picture.linear, picture_of(moving, without).linear), 0.0) << update;
+  }
+}
+
 // In a loop that keeps maps it is drawn once, and again when the sun has moved. Else every picture draws its own.
 TEST(FarShadow, TheStaticMapIsDrawnOnceForOneSun) {
   const Scene roof = Roof{}.load(), noon = Roof{.slope = 0.1f}.load();

@@ -133,6 +133,10 @@ std::uint64_t texel_bytes(FarSun kind) {
   return kind == FarSun::vsm ? kMomentBytes : kStaticBytes;
 }
 
+FarSun possible_kind(FarSun wanted, const upload::CasterTable& casters) {
+  return wanted == FarSun::static_map && !upload::has_still(casters) ? FarSun::off : wanted;
+}
+
 int possible_size(int wanted, std::uint32_t largest_image) {
   while (static_cast<std::uint32_t>(wanted) > largest_image) wanted /= 2;
   return wanted;
@@ -191,7 +195,7 @@ void Map::fit_static(gpu::Device& device, upload::SceneTables& scene, const Sett
 
 void Map::fit(gpu::Device& device, upload::SceneTables& scene, const glm::dvec3& eye, bool wanted,
               const Settings& settings) {
-  const FarSun kind = wanted ? settings.far : FarSun::off;
+  const FarSun kind = wanted ? possible_kind(settings.far, scene.casters) : FarSun::off;
   if (settings.far == FarSun::off || (!wanted && settings.update == MapUpdate::all)) *this = Map();
   kind_ = kind;
   eye_ = eye;

@@ -18,6 +18,9 @@ using Settings = velarium::Settings::sun_shadows_settings;
 // Of a map while it is drawn, with what it is made of and blurred through.
 [[nodiscard]] std::uint64_t texel_bytes(FarSun kind);
 
+// `wanted`, but for a static map where all casters move: there is nothing to put into it.
+[[nodiscard]] FarSun possible_kind(FarSun wanted, const upload::CasterTable& casters);
+
 // `wanted`, halved until images may be as large.
 [[nodiscard]] int possible_size(int wanted, std::uint32_t largest_image);
 

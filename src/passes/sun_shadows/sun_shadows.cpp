@@ -74,8 +74,7 @@ void leave_to_static_map(Served& served) {
 
 Served serve(const upload::SceneTables& scene, const View& view, const Settings& settings) {
   auto served = served_spheres(view, sphere_around(upload::bounds_of(scene.casters)), settings);
-  const bool has_still = !upload::bounds_of(scene.casters, upload::CasterChoice::still).empty();
-  if (settings.far == FarSun::static_map && has_still) leave_to_static_map(served);
+  if (settings.far == FarSun::static_map && upload::has_still(scene.casters)) leave_to_static_map(served);
   return served;
 }
 

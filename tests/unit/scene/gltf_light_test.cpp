@@ -120,6 +120,36 @@ TEST(LightExtrasSchema, DefaultsAreThoseOfTheScene) {
                   light.projector.soft_edge);
 }
 
+Light first_light(const Model& model) {
+  return read(model).lights.at(0);
+}
+
+// Lights that take light away are not what glTF means: what is below 0 counts as 0, and a warning says so.
+TEST(Lights, AreNeverNegative) {
+  Model model = lit_by("point", Json::object());
+  Json& light = model.root["extensions"]["KHR_lights_punctual"]["lights"][0];
+  light["color"] = {-1.0f, 0.5f, 2.0f};
+  EXPECT_EQ(first_light(model).color, glm::vec3(0.0f, 0.5f, 2.0f));
+  light["intensity"] = -3.0f;
+  EXPECT_EQ(first_light(model).intensity, 0.0f);
+  EXPECT_TRUE(has_warning(read(model), "outside its range"));
+}
+
+// JSON knows no NaN; what exceeds a 32-bit float is refused in what glTF defines, and means nothing in extras.
+TEST(Lights, AreNumbersOrRefused) {
+  Model model = lit_by("point", {{"radius", 1e300}, {"cutoff", 1e300}, {"falloff", "bulb"}});
+  EXPECT_EQ(first_light(model).radius, 0.0f);
+  EXPECT_EQ(first_light(model).falloff, Falloff::inverse_square);
+  Json& light = model.root["extensions"]["KHR_lights_punctual"]["lights"][0];
+  light["intensity"] = 1e300;
+  expect_refused(model, "/extensions/KHR_lights_punctual/lights/0/intensity");
+  light["intensity"] = 1.0f;
+  light["color"] = {1.0f, 1e300, 1.0f};
+  expect_refused(model, "/extensions/KHR_lights_punctual/lights/0/color/1");
+  for (const double none : {-0.5, 1e300})
+    EXPECT_EQ(first_light(lit_by("directional", {{"angular_radius", none}})).angular_radius, 0.0f) << none;
+}
+
 TEST(LightExtras, MakeABulb) {
   const Scene scene =
       read(lit_by("point", {{"radius", 0.25f}, {"falloff", "bulb"}, {"cutoff", 8}, {"casts_shadow", false}}));

@@ -80,7 +80,10 @@ TEST(Casters, ThatMoveAreLeftOutWhereStillOnesAreAskedFor) {
   EXPECT_EQ(bounds_of(table).min.x, 0.0f);
   EXPECT_EQ(bounds_of(table, CasterChoice::still).min.x, 20.0f);
   row.moment.instances[2].node = 1;
-  EXPECT_TRUE(bounds_of(make_casters(row.scene, row.moment, {}), CasterChoice::still).empty());
+  EXPECT_TRUE(has_still(table));
+  const auto all_moving = make_casters(row.scene, row.moment, {});
+  EXPECT_TRUE(bounds_of(all_moving, CasterChoice::still).empty());
+  EXPECT_FALSE(has_still(all_moving));
 }
 
 TEST(Casters, WhatTheVolumeDoesNotHoldIsNotDrawn) {

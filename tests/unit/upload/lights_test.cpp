@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace velarium::upload {
 namespace {
@@ -47,6 +48,22 @@ TEST(GpuLights, KnowTheirSize) {
   EXPECT_EQ(shading::sample_light(lights[1], glm::vec3(8.0f, 0.0f, 0.0f)).irradiance.x, 0.0f);
   EXPECT_NEAR(shading::sample_light(lights[1], glm::vec3(1.25f, 0.0f, 0.0f)).sine, 0.2f, 1e-6);
   EXPECT_EQ(shading::sample_light(lights[1], glm::vec3(0.1f, 0.0f, 0.0f)).sine, 1.0f);
+}
+
+// A product of what a file may hold is beyond fp32; what reaches the shaders leaves room for what they multiply it by.
+TEST(GpuLights, AreNeverBrighterThanShadersCanAddUp) {
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  auto blinding = lamp(scene::LightKind::point), candle = blinding;
+  blinding.light.intensity = kLargest;
+  blinding.light.color = {kLargest, 1.0f, 0.0f};
+  candle.light.color = {1.0f, 0.5f, 0.25f};
+  const auto lights = gpu_lights({blinding, candle}, glm::dvec3(0.0), {});
+  const float nearest = shading::sample_light(lights[0], glm::vec3(0.0f)).irradiance.x;
+  const float peak = shading::d_ggx(1.0f, shading::kMinAlphaPunctual);
+  EXPECT_TRUE(std::isfinite(nearest * peak * static_cast<float>(kMaxLights)));
+  EXPECT_GT(nearest, 1e20f);
+  EXPECT_EQ(lights[0].color.z, 0.0f);
+  EXPECT_EQ(glm::vec3(lights[1].color), glm::vec3(3.0f, 1.5f, 0.75f));
 }
 
 TEST(GpuLights, ShareThePicturesTheyThrow) {
