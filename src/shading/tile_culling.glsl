@@ -115,6 +115,29 @@ FN bool cone_overlaps_sphere(vec3 apex, vec3 axis, float cos_outer, vec4 sphere)
   return outside <= r && along >= -r;
 }
 
+// Parts that a tile's way through a spot's sphere is cut into. One alone is as long as the cone and meets it nearly always;
+// of these eight, tests/unit/shading/tile_culling.cpp counts how many meet it in vain.
+const uint kSpotSlices = 8u;
+
+// May a spot reach anything of a tile between the eye and z_max? bounds: its sphere, view space, xyz centre, w radius. apex,
+// axis: view space, the latter unit; cos_outer: not negative. ndc_min to perspective: as tile_volume().
+FN bool spot_reaches_before(vec4 bounds, vec3 apex, vec3 axis, float cos_outer, vec2 ndc_min, vec2 ndc_max, float z_max,
+                            vec4 ndc_to_view, float perspective) {
+  vec3 center = vec3(bounds.x, bounds.y, bounds.z);
+  float radius = cull_radius_with_slack(center, bounds.w);
+  float from = clamp(-center.z - radius, 0.0f, z_max), to = clamp(-center.z + radius, 0.0f, z_max);
+  bool reached = false;
+  for (uint i = 0u; i < kSpotSlices; ++i) {
+    float z_from = mix(from, to, float(i) / float(kSpotSlices));
+    float z_to = mix(from, to, float(i + 1u) / float(kSpotSlices));
+    TileVolume part = tile_volume(ndc_min, ndc_max, z_from, max(z_from, z_to), ndc_to_view, perspective);
+    vec4 sphere = tile_bounding_sphere(part);
+    bool near_enough = length(vec3(sphere.x, sphere.y, sphere.z) - center) <= sphere.w + radius;
+    reached = reached || (near_enough && cone_overlaps_sphere(apex, axis, cos_outer, sphere));
+  }
+  return reached;
+}
+
 // Smallest sphere (xyz centre, w radius) around a spot light's cone, cut at `range` from its apex. axis: unit.
 // Up to 45 degrees the sphere passes through the apex, beyond that the rim is its equator.
 FN vec4 spot_bounding_sphere(vec3 apex, vec3 axis, float range, float cos_outer) {

@@ -3,7 +3,8 @@
 
 // Tiled deferred lighting [Schulz 2014, Ryse]: one compute shader finds the lights of each 16x16 tile and shades it.
 // A tile keeps a light when its sphere passes the side planes, the box and the 32-slice depth mask, and a spot when its
-// cone passes as well; the list is a bit mask in light order, so that sums are the same on every run and equal to a loop over all lights.
+// cone passes as well; the list is a bit mask in light order, so that sums are the same on every run and equal to a loop
+// over all lights. Transparent surfaces get a list of their own.
 
 #include "shading/constants.glsl"
 #include "shading/tile_culling.glsl"
@@ -28,6 +29,7 @@ layout(constant_id = 22) const uint kLamps = 1u;          // 0: none shines; 1: 
 
 shared uint tile_min, tile_max;      // bits of positive floats, which order as the floats do
 shared uint tile_depth_mask;
+shared uint tile_open;               // 1: some pixel shows no opaque surface
 shared uint tile_lights[kMaxLights / 32u];
 
 // tile_sphere: around the tile, in world space.
@@ -55,16 +57,22 @@ void find_tile_depths() {
     tile_min = 0x7f7fffffu;
     tile_max = 0u;
     tile_depth_mask = 0u;
+    tile_open = 0u;
   }
   barrier();
   float nearest = uintBitsToFloat(0x7f7fffffu), farthest = 0.0;
+  bool open = false;
   for (uint i = thread; i < kTilePixels; i += gl_WorkGroupSize.x) {
-    float depth = depth_at(ivec2(tile_pixel(i)));
+    uvec2 pixel = tile_pixel(i);
+    float depth = depth_at(ivec2(pixel));
     if (depth > 0.0) {
       nearest = min(nearest, depth);
       farthest = max(farthest, depth);
+    } else if (all(lessThan(vec2(pixel), frame.size.xy))) {
+      open = true;
     }
   }
+  if (open) atomicOr(tile_open, 1u);
   atomicMin(tile_min, floatBitsToUint(nearest));
   atomicMax(tile_max, floatBitsToUint(farthest));
   barrier();
@@ -74,6 +82,32 @@ void find_tile_depths() {
     if (depth > 0.0) slices |= depth_mask_bit(depth, uintBitsToFloat(tile_min), uintBitsToFloat(tile_max));
   }
   atomicOr(tile_depth_mask, slices);
+}
+
+// May a light reach transparent surfaces of a tile? before: all of it that stands before opaque ones.
+bool light_reaches_before(TileVolume before, vec2 ndc_min, vec2 ndc_max, uint index) {
+  bool asked_everywhere = kTiled == 0u && kLamps == 1u;
+  if (asked_everywhere) return true;
+  vec4 bounds = light_bounds[index];
+  if (!tile_overlaps_sphere_no_near(before, bounds.xyz, bounds.w)) return false;
+  if (index < frame.first_spot) return true;
+  GpuLight l = lights[index];
+  mat3 view_from_world = mat3(frame.view_from_world);
+  return spot_reaches_before(bounds, view_from_world * l.position_range.xyz, view_from_world * l.direction.xyz, l.cone.z,
+                             ndc_min, ndc_max, before.z_max, frame.ndc_to_view, frame.perspective);
+}
+
+// The list for transparent surfaces: they stand before all opaque ones, and before the sky at any depth.
+void write_forward_list(vec2 ndc_min, vec2 ndc_max, uint words) {
+  float z_max = tile_open != 0u ? kUnboundedRadius : uintBitsToFloat(tile_max);
+  TileVolume before = tile_volume(ndc_min, ndc_max, 0.0, z_max, frame.ndc_to_view, frame.perspective);
+  uint base = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * words;
+  for (uint word = gl_LocalInvocationIndex; word < words; word += gl_WorkGroupSize.x) {
+    uint bits = 0u;
+    for (uint bit = 0u; bit < 32u && word * 32u + bit < frame.light_count; ++bit)
+      if (light_reaches_before(before, ndc_min, ndc_max, word * 32u + bit)) bits |= 1u << bit;
+    forward_lists[base + word] = bits;
+  }
 }
 
 void find_tile_lights() {
@@ -94,19 +128,7 @@ void find_tile_lights() {
   for (uint i = thread; i < frame.light_count && !empty; i += gl_WorkGroupSize.x)
     if (light_reaches(tile, sphere_ws, i)) atomicOr(tile_lights[i / 32u], 1u << (i % 32u));
 
-  if (kForwardLists != 0u) {
-    // Transparent surfaces stand before everything, and before the sky at any depth.
-    TileVolume before = tile_volume(ndc_min, ndc_max, 0.0, kUnboundedRadius, frame.ndc_to_view, frame.perspective);
-    uint base = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * words;
-    for (uint word = thread; word < words; word += gl_WorkGroupSize.x) {
-      uint bits = 0u;
-      for (uint bit = 0u; bit < 32u && word * 32u + bit < frame.light_count; ++bit) {
-        vec4 bounds = light_bounds[word * 32u + bit];
-        if (tile_overlaps_sphere_no_near(before, bounds.xyz, bounds.w)) bits |= 1u << bit;
-      }
-      forward_lists[base + word] = bits;
-    }
-  }
+  if (kForwardLists != 0u) write_forward_list(ndc_min, ndc_max, words);
   barrier();
 }
 

@@ -228,5 +228,70 @@ TEST(SpotCone, SphereOfATileHoldsIt) {
   }
 }
 
+// Spots about tiles of 16 pixels at 1080p, as count_false_hits() has lights; what is lit in a tile is looked for at
+// points of it.
+struct SpotCounts {
+  int lit = 0, by_sphere = 0, kept = 0, missed = 0;
+};
+
+SpotCounts count_spots_before(float z_max) {
+  Random random(31);
+  SpotCounts counts;
+  for (int i = 0; i < 20000; ++i) {
+    const float z = random.uniform(-3.0f, 30.0f), range = random.uniform(1.0f, 6.0f);
+    const float cos_outer = std::cos(random.uniform(0.2f, 1.2f));
+    const vec3 apex(random.uniform(-0.5f, 0.5f) * z, random.uniform(-0.3f, 0.3f) * z, -z), axis = random.direction();
+    const vec4 bounds = spot_bounding_sphere(apex, axis, range, cos_outer);
+    const vec2 low(random.uniform(-1.0f, 1.0f), random.uniform(-1.0f, 1.0f));
+    const vec2 high = low + vec2(1.0f / 60.0f, 1.0f / 33.75f);
+    const vec3 center(bounds.x, bounds.y, bounds.z);
+    const auto before = tile_volume(low, high, 0.0f, z_max, kPerspective.ndc_to_view, 1.0f);
+    if (!tile_overlaps_sphere_no_near(before, center, bounds.w)) continue;
+    ++counts.by_sphere;
+    const bool kept =
+        spot_reaches_before(bounds, apex, axis, cos_outer, low, high, z_max, kPerspective.ndc_to_view, 1.0f);
+    counts.kept += kept;
+    const float from = std::max(-center.z - bounds.w, 0.0f), to = std::min(-center.z + bounds.w, z_max);
+    bool lit = false;
+    for (int k = 0; k < 400 && !lit && to > from; ++k) {
+      const vec2 ndc(random.uniform(low.x, high.x), random.uniform(low.y, high.y));
+      const vec3 way = view_position(ndc, random.uniform(from, to), kPerspective.ndc_to_view, 1.0f) - apex;
+      lit = length(way) < range && dot(way, axis) > cos_outer * length(way);
+    }
+    counts.lit += lit;
+    counts.missed += lit && !kept;
+  }
+  return counts;
+}
+
+TEST(SpotCone, TransparentSurfacesAskFewSpotsInVain) {
+  for (const float z_max : {kUnboundedRadius, 15.0f}) {
+    const SpotCounts counts = count_spots_before(z_max);
+    EXPECT_EQ(counts.missed, 0) << z_max;
+    EXPECT_GT(counts.lit, 100) << z_max;
+    RecordProperty("lit", counts.lit);
+    RecordProperty("by_sphere", counts.by_sphere);
+    RecordProperty("kept", counts.kept);
+    EXPECT_LT(counts.kept - counts.lit, (counts.by_sphere - counts.lit) / 2) << z_max;
+  }
+}
+
+// Behind the eye and turned away from it; beyond the surface that the tile shows; and, without an end, kept for want of
+// bounds.
+TEST(SpotCone, TransparentSurfacesDoNotAskSpotsBehind) {
+  const auto reaches = [](const vec3& apex, const vec3& axis, float range, float z_max) {
+    return spot_reaches_before(spot_bounding_sphere(apex, axis, range, 0.8f), apex, axis, 0.8f, vec2(0.0f), vec2(0.02f),
+                               z_max, kPerspective.ndc_to_view, 1.0f);
+  };
+  const vec3 backwards(0, 0, 1), forwards(0, 0, -1);
+  EXPECT_FALSE(reaches(vec3(0, 0, 0.5f), backwards, 8.0f, kUnboundedRadius));
+  EXPECT_TRUE(reaches(vec3(0, 0, 0.5f), forwards, 8.0f, kUnboundedRadius));
+  EXPECT_FALSE(reaches(vec3(0, 0, -12.0f), forwards, 8.0f, 10.0f));
+  EXPECT_TRUE(reaches(vec3(0, 0, -12.0f), backwards, 8.0f, 10.0f));
+  EXPECT_FALSE(reaches(vec3(3, 0, -5), vec3(1, 0, 0), 8.0f, kUnboundedRadius));
+  EXPECT_TRUE(reaches(vec3(3, 0, -5), vec3(-1, 0, 0), 8.0f, kUnboundedRadius));
+  EXPECT_TRUE(reaches(vec3(0, 0, 0.5f), forwards, kUnboundedRadius, kUnboundedRadius));
+}
+
 }  // namespace
 }  // namespace velarium::shading
