@@ -65,10 +65,7 @@ vec3 sample_specular(const vec3& normal, const View& view, float alpha, const ve
 // wi: above the surface.
 float pdf_sr_mixture(const vec3& normal, const View& view, const vec3& wi, float alpha) {
   // As evaluate_brdf does it, digit for digit, so that the D of a narrow lobe cancels in the weight.
-  const vec3 sum = view.eye + wi;
-  const vec3 h = sum * glm::inversesqrt(std::max(glm::dot(sum, sum), 1e-12f));
-  const vec3 n_cross_h = glm::cross(normal, h);
-  const float sin2_theta_h = std::min(glm::dot(n_cross_h, n_cross_h), 1.0f);
+  const float sin2_theta_h = shading::sin2_of_half_vector(normal, shading::half_vector(view.eye, wi));
   return view.chance * shading::pdf_sr_ggx_visible(sin2_theta_h, view.n_dot_v, alpha) +
          (1.0f - view.chance) * shading::kInvPi * glm::dot(normal, wi);
 }

@@ -22,18 +22,23 @@ FN vec3 half_vector(vec3 wo, vec3 wi) {
   return sum * inversesqrt(max(dot(sum, sum), 1e-12f));
 }
 
+// sin^2 of the angle between n and h, unit. Half vectors below the horizon, which light near the eye's opposite has where
+// the normal turns away from the eye, count as on it: |n x h|^2 alone is as small at -n as at n, and puts a highlight there.
+FN float sin2_of_half_vector(vec3 n, vec3 h) {
+  vec3 n_cross_h = cross(n, h);
+  return dot(n, h) > 0.0f ? min(dot(n_cross_h, n_cross_h), 1.0f) : 1.0f;
+}
+
 // evaluate_brdf() for a light of some size about wi. n_dot_l: what stands for n.wi, clipped by the horizon; 0 gives
-// black. bent: unit, the direction of that light whose half vector the microfacets see.
-FN vec3 evaluate_brdf_bent(IN(Surface) s, float alpha, vec3 wo, vec3 wi, float n_dot_l, vec3 bent, vec3 specular_scale,
-                           uint model) {
+// black. bent_half: unit, the half vector that the distribution of microfacets is asked for; v_dot_h: what Fresnel is.
+FN vec3 evaluate_brdf_bent(IN(Surface) s, float alpha, vec3 wo, vec3 wi, float n_dot_l, vec3 bent_half, float v_dot_h,
+                           vec3 specular_scale, uint model) {
   if (n_dot_l <= 0.0f) return vec3(0.0f);
   // Interpolated and mapped normals may turn away from the eye.
   float n_dot_v = abs(dot(s.normal_ws, wo)) + 1e-5f;
-  vec3 h = half_vector(wo, wi);
-  vec3 n_cross_h = cross(s.normal_ws, half_vector(wo, bent));
 
-  vec3 fresnel = fresnel_schlick(s.f0, f90_from_f0(s.f0), clamp(dot(wo, h), 0.0f, 1.0f));
-  float d = distribution(model, min(dot(n_cross_h, n_cross_h), 1.0f), alpha);
+  vec3 fresnel = fresnel_schlick(s.f0, f90_from_f0(s.f0), clamp(v_dot_h, 0.0f, 1.0f));
+  float d = distribution(model, sin2_of_half_vector(s.normal_ws, bent_half), alpha);
   vec3 specular = fresnel * specular_scale * (d * visibility(model, n_dot_l, n_dot_v, alpha));
 
   float bracket = diffuse(model, n_dot_l, n_dot_v, dot(wo, wi), alpha);
@@ -46,7 +51,8 @@ FN vec3 evaluate_brdf_bent(IN(Surface) s, float alpha, vec3 wo, vec3 wi, float n
 // wo, wi: unit. alpha: the width to shade with, which may exceed that of s.smoothness (kMinAlphaPunctual).
 // specular_scale: energy_compensation(), or 1.
 FN vec3 evaluate_brdf(IN(Surface) s, float alpha, vec3 wo, vec3 wi, vec3 specular_scale, uint model) {
-  return evaluate_brdf_bent(s, alpha, wo, wi, dot(s.normal_ws, wi), wi, specular_scale, model);
+  vec3 h = half_vector(wo, wi);
+  return evaluate_brdf_bent(s, alpha, wo, wi, dot(s.normal_ws, wi), h, dot(wo, h), specular_scale, model);
 }
 
 // Where a table of size x size texels, whose outermost texels stand for 0 and 1, is read for (n.v, smoothness).

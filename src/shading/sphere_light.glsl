@@ -54,7 +54,8 @@ struct SphereHighlight {
   float depth;     // how far inside the sphere the mirror direction lies: 0 at the rim and outside, 1 at the centre
 };
 
-// The direction to the sphere whose half vector with wo is nearest to n, as nearly as one step finds it.
+// The direction to the sphere whose half vector with wo is nearest to n, as nearly as one step finds it. Where n turns
+// away from the eye nothing is mirrored: the formula's direction lies below the surface and has the half vector -n.
 // n, wo, wi: unit, wi to the centre. sine: 0 gives wi.
 FN SphereHighlight sphere_highlight(vec3 n, vec3 wo, vec3 wi, float sine) {
   require(sine >= 0.0f && sine < 1.0f);
@@ -63,7 +64,7 @@ FN SphereHighlight sphere_highlight(vec3 n, vec3 wo, vec3 wi, float sine) {
   float along = dot(mirrored, wi);
   vec3 off = mirrored - along * wi;
   float off2 = dot(off, off);
-  if (along > 0.0f && off2 < sine * sine) {
+  if (dot(n, wo) > 0.0f && along > 0.0f && off2 < sine * sine) {
     result.direction = mirrored;
     result.depth = 1.0f - sqrt(off2) / sine;
     return result;
@@ -109,9 +110,17 @@ FN float bent_lobe_energy(float perimeter, float area) {
 
 // Tangent of the angle between unit vectors n and h, where that is less than 90 degrees; else very large.
 FN float slope_between(vec3 n, vec3 h) {
-  vec3 n_cross_h = cross(n, h);
-  float sin2 = min(dot(n_cross_h, n_cross_h), 1.0f);
-  return dot(n, h) > 0.0f ? sqrt(sin2 / max(1.0f - sin2, kLeastCosine2)) : inversesqrt(kLeastCosine2);
+  float sin2 = sin2_of_half_vector(n, h);
+  return sqrt(sin2 / max(1.0f - sin2, kLeastCosine2));
+}
+
+// v.h of the directions that shine most: about the sphere's centre as long as the lobe is wider than the sphere, about the
+// highlight where the sphere is. Half way where both are as wide: of what was tried it is nearest to the integral.
+FN float sphere_v_dot_h(IN(SphereHighlight) highlight, vec3 wo, vec3 wi, float sine, float alpha) {
+  float width = 0.5f * sine / alpha;
+  vec3 shining = normalize(mix(wi, highlight.direction, width / (1.0f + width)));
+  // Of unit vectors v.h is half the length of their sum, which has digits where they are opposite and h has none.
+  return max(0.5f * length(wo + shining), kMinVDotH);
 }
 
 // What the bent lobe is multiplied by. edge, center: tangents between the normal and the half vectors of the bent
@@ -166,12 +175,12 @@ FN vec3 evaluate_brdf_sphere(IN(Surface) s, float alpha, vec3 wo, vec3 wi, float
   float seen_sine = min(sine, kMaxSphereSine);
   float n_dot_l = sphere_horizon_cosine(dot(s.normal_ws, wi), seen_sine);
   SphereHighlight highlight = sphere_highlight(s.normal_ws, wo, wi, seen_sine);
-  vec3 center_half = half_vector(wo, wi);
-  float edge = slope_between(s.normal_ws, half_vector(wo, highlight.direction));
-  float center = slope_between(s.normal_ws, center_half);
-  float v_dot_h = max(dot(wo, center_half), kMinVDotH);
+  vec3 bent_half = half_vector(wo, highlight.direction);
+  float edge = slope_between(s.normal_ws, bent_half);
+  float center = slope_between(s.normal_ws, half_vector(wo, wi));
+  float v_dot_h = sphere_v_dot_h(highlight, wo, wi, seen_sine, alpha);
   vec3 scale = specular_scale * sphere_highlight_scale(highlight, edge, center, seen_sine, alpha, v_dot_h);
-  return evaluate_brdf_bent(s, alpha, wo, wi, n_dot_l, highlight.direction, scale, model);
+  return evaluate_brdf_bent(s, alpha, wo, wi, n_dot_l, bent_half, v_dot_h, scale, model);
 }
 
 #endif

@@ -67,6 +67,15 @@ TEST(Brdf, IsReciprocal) {
   }
 }
 
+// Light just above the horizon, the eye just below it: their half vector is all but -n, where no microfacets look.
+TEST(Brdf, HasNoHighlightBelowTheSurface) {
+  const Surface s = make_surface(vec3(0.0f), vec3(1.0f));
+  const vec3 wo = direction_at(radians(96.0), 0.0), wi = direction_at(radians(89.0), kPiExact);
+  EXPECT_GT(dot(half_vector(wo, wi), -s.normal_ws), 0.9f);
+  for (const uint model : {kModelGltf, kModelRyse, kModelBlinnPhong})
+    EXPECT_LT(evaluate_brdf(s, 0.1f, wo, wi, vec3(1.0f), model).x, 0.05f) << model;
+}
+
 TEST(Brdf, IsBlackBelowTheHorizonAndFiniteEverywhere) {
   const Surface s = make_surface(vec3(1.0f), vec3(1.0f));
   const vec3 wo = normalize(vec3(0.3f, 0.1f, 0.8f));

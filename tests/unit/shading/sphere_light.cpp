@@ -112,8 +112,9 @@ TEST(SphereHighlight, StaysWithinTheSphere) {
     const vec3 wi = i % 7 == 0 ? -wo : random.direction();
     const float sine = i % 5 == 0 ? 0.00465f : random.uniform(0.0f, 0.99f);
     const vec3 d = sphere_highlight(kNormal, wo, wi, sine).direction;
-    ASSERT_NEAR(length(d), 1.0f, 1e-5);
-    ASSERT_GE(dot(d, wi), std::sqrt(1.0f - sine * sine) - 1e-5f);
+    // Where the mirror direction is all but the centre's, the way from one to the other keeps few digits.
+    ASSERT_NEAR(length(d), 1.0f, 1e-4);
+    ASSERT_GE(dot(d, wi), std::sqrt(1.0f - sine * sine) - 1e-4f);
   }
 }
 
@@ -349,17 +350,73 @@ TEST(SphereBrdf, IsThatOfAPointWhereTheSphereIsSmall) {
   }
 }
 
-TEST(SphereBrdf, IsFiniteAndNeverNegative) {
+// Where formulas may divide by nothing: the eye opposite of the light or at it, in the surface or behind it, the light
+// in the surface, within or touching it, of no size, the narrowest and the widest lobe. Nothing mirrors a sphere
+// brighter than it is, 1 / (pi sine^2) for an irradiance of 1; this comes to three times that where n.v is below 0.001,
+// else to 1.7.
+TEST(SphereBrdf, IsNoBrighterThanTheSphere) {
   Random random(34);
-  Surface s = metal();
-  s.albedo = vec3(0.5f);
-  for (int i = 0; i < 100000; ++i) {
-    const vec3 wo = random.direction(), wi = i % 4 == 0 ? -wo : i % 4 == 1 ? wo : random.direction();
-    const float sine = i % 3 == 0 ? 1.0f : random.uniform();
-    const float alpha = i % 2 == 0 ? kMinAlpha : random.uniform(kMinAlpha, 1.0f);
-    const vec3 f = evaluate_brdf_sphere(s, alpha, wo, wi, sine, vec3(1.0f), kModelGltf);
-    ASSERT_TRUE(std::isfinite(f.x) && f.x >= 0.0f) << i;
+  for (int i = 0; i < 200000; ++i) {
+    vec3 wo = random.direction();
+    if (i % 5 == 0) wo = normalize(vec3(wo.x, wo.y, 0.01f * wo.z));
+    const vec3 other = random.direction();
+    const vec3 choices[]{-wo, wo, normalize(vec3(other.x, other.y, 0.0f)), normalize(0.05f * other - wo), other};
+    const vec3 wi = choices[i % 5 == 0 ? 3 : i / 5 % 5];
+    const float sine = i % 3 == 0 ? 1.0f : random.uniform(0.001f, 1.0f);
+    const float alpha = i % 2 == 0 ? kMinAlpha : i % 7 == 0 ? 1.0f : random.uniform(kMinAlpha, 1.0f);
+    for (const uint model : {kModelGltf, kModelRyse, kModelBlinnPhong}) {
+      const float f = evaluate_brdf_sphere(metal(), alpha, wo, wi, sine, vec3(1.0f), model).x;
+      const float seen = std::min(sine, kMaxSphereSine);
+      ASSERT_TRUE(std::isfinite(f) && f >= 0.0f) << i;
+      ASSERT_LT(f * kPi * seen * seen, std::abs(wo.z) < 1e-3f ? 3.5f : 1.8f)
+          << i << " model " << model << " alpha " << alpha << " sine " << sine << " n.v " << wo.z << " n.l " << wi.z
+          << " v.l " << dot(wo, wi);
+    }
   }
+}
+
+// Interpolated normals turn away from the eye at outlines, beside which a lamp may shine at it: the mirror direction of
+// the formula is in the sphere, and its half vector below the surface. Quadrature says how much light is left there.
+TEST(SphereBrdf, HasNoHighlightWhereTheNormalTurnsAway) {
+  Random random(35);
+  double found_sum = 0.0, truth_sum = 0.0;
+  for (int i = 0; i < 300; ++i) {
+    const float n_dot_v = random.uniform(-0.3f, -0.001f), sine = random.uniform(0.3f, 0.98f);
+    const vec3 wo(std::sqrt(1.0f - n_dot_v * n_dot_v), 0.0f, n_dot_v);
+    const float alpha = random.uniform(0.05f, 1.0f);
+    const vec3 wi = cone_direction(-wo, static_cast<double>(sine), i, 300);
+    const double truth = mean_over_sphere(wi, static_cast<double>(sine), 4096, [&](const vec3& d) {
+      return evaluate_brdf(metal(), alpha, wo, d, vec3(1.0f), kModelGltf).x;
+    });
+    const float found = evaluate_brdf_sphere(metal(), alpha, wo, wi, sine, vec3(1.0f), kModelGltf).x;
+    ASSERT_LT(found, 0.5f) << n_dot_v << " " << sine << " " << alpha;
+    found_sum += static_cast<double>(found);
+    truth_sum += truth;
+  }
+  EXPECT_LT(found_sum, truth_sum);
+  EXPECT_GT(found_sum, 0.3 * truth_sum);
+}
+
+// F and the spread of half vectors are the centre's no more: with both at the centre a dielectric's highlight of a
+// large sphere has 1.5 times the energy at grazing view, and lies 0.9 beside the truth.
+TEST(SphereBrdf, KeepsTheEnergyOfLargeSpheresAtGrazingView) {
+  Surface s = metal();
+  s.f0 = vec3(0.04f);
+  double found_sum = 0.0, truth_sum = 0.0, error = 0.0, square = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const float n_dot_v = 0.02f + 0.3f * hash_to_float(static_cast<uint>(i));
+    const vec3 wo(std::sqrt(1.0f - n_dot_v * n_dot_v), 0.0f, n_dot_v);
+    const vec3 wi = cone_direction(vec3(-wo.x, -wo.y, wo.z), 0.7, i, 200);
+    const double truth = mean_over_sphere(
+        wi, 0.6, 8192, [&](const vec3& d) { return evaluate_brdf(s, 0.03f, wo, d, vec3(1.0f), kModelGltf).x; });
+    const double found = static_cast<double>(evaluate_brdf_sphere(s, 0.03f, wo, wi, 0.6f, vec3(1.0f), kModelGltf).x);
+    found_sum += found;
+    truth_sum += truth;
+    error += (found - truth) * (found - truth);
+    square += truth * truth;
+  }
+  EXPECT_NEAR(found_sum / truth_sum, 1.0, 0.1);
+  EXPECT_LT(std::sqrt(error / square), 0.5);
 }
 
 TEST(SphereBrdf, FadesOutWhileTheSphereSets) {
