@@ -97,7 +97,7 @@ void bind(graph::SetWriter& set, const ShadingInputs& in) {
       .sampled(1, in.environment.brdf_table)
       .buffer(2, in.scene.lights)
       .sampled(4, in.environment.irradiance)
-      .sampled(12, in.scene.gpu->projectors().array)
+      .sampled(12, in.scene.gpu->projectors().array, {.lod_bias = in.scene.texture_lod_bias})
       // Where there are none, something is bound and never read.
       .buffer(13, in.scene.clip_volumes ? in.scene.clip_volumes : in.scene.lights);
   bind_local_shadows(set, in);

@@ -114,11 +114,11 @@ FN float slope_between(vec3 n, vec3 h) {
   return sqrt(sin2 / max(1.0f - sin2, kLeastCosine2));
 }
 
-// v.h of the directions that shine most: about the sphere's centre as long as the lobe is wider than the sphere, about the
-// highlight where the sphere is. Half way where both are as wide: of what was tried it is nearest to the integral.
+// v.h of the directions that shine most: about the sphere's centre where the lobe is wider than the sphere, about the
+// highlight where the sphere is, between them by their areas in the plane of half vectors.
 FN float sphere_v_dot_h(IN(SphereHighlight) highlight, vec3 wo, vec3 wi, float sine, float alpha) {
-  float width = 0.5f * sine / alpha;
-  vec3 shining = normalize(mix(wi, highlight.direction, width / (1.0f + width)));
+  float width = 0.5f * sine / alpha, width2 = width * width;
+  vec3 shining = normalize(mix(wi, highlight.direction, width2 / (1.0f + width2)));
   // Of unit vectors v.h is half the length of their sum, which has digits where they are opposite and h has none.
   return max(0.5f * length(wo + shining), kMinVDotH);
 }

@@ -10,7 +10,8 @@ layout(constant_id = 8) const uint kProjectors = 0u;  // 0: no light throws a pi
 layout(set = 1, binding = 12) uniform sampler2DArray projector_pictures;
 
 // What a spot light's picture lets through to a point; 1 for lights without one. wi: unit, towards the light. Texels that
-// are smaller than a pixel there are averaged, both taken as they are seen head-on.
+// are smaller than a pixel there are averaged, both taken as they are seen head-on; the sampler's bias knows how many frames
+// share a pixel.
 vec3 projected(GpuLight l, vec3 position_ws, vec3 wi) {
   if (kProjectors == 0u || l.projector_layer == 0u) return vec3(1.0);
   vec2 uv = projector_uv(l, wi);
