@@ -75,13 +75,14 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend, bool write) {
   constexpr VkColorComponentFlags kAll =
       VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
   const auto [source, destination] = blend_factors(blend);
+  const bool largest_alpha = blend == Blend::veil || blend == Blend::add;
   return {.blendEnable = blend != Blend::none,
           .srcColorBlendFactor = source,
           .dstColorBlendFactor = destination,
           .colorBlendOp = VK_BLEND_OP_ADD,
           .srcAlphaBlendFactor = source,
           .dstAlphaBlendFactor = destination,
-          .alphaBlendOp = blend == Blend::veil ? VK_BLEND_OP_MAX : VK_BLEND_OP_ADD,  // MAX knows no factors
+          .alphaBlendOp = largest_alpha ? VK_BLEND_OP_MAX : VK_BLEND_OP_ADD,  // MAX knows no factors
           .colorWriteMask = write ? kAll : 0};
 }
 

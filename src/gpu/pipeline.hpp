@@ -35,7 +35,7 @@ enum class Blend {
   none,
   premultiplied,  // new + (1 - new.a) old
   veil,           // rgb: new old; a: the larger
-  add,            // new + old
+  add,            // rgb: new + old; a: the larger
 };
 
 // What becomes of the stencil.

@@ -36,6 +36,7 @@ using glm::cos;
 using glm::cross;
 using glm::dot;
 using glm::exp2;
+using glm::floatBitsToUint;
 using glm::floor;
 using glm::fract;
 using glm::inversesqrt;
@@ -48,6 +49,7 @@ using glm::normalize;
 using glm::pow;
 using glm::sin;
 using glm::sqrt;
+using glm::uintBitsToFloat;
 
 [[noreturn]] inline void precondition_failed(const char* condition, const char* file, int line) {
   std::fprintf(stderr, "%s:%d: precondition broken: %s\n", file, line, condition);

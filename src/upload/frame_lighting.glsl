@@ -86,9 +86,6 @@ vec3 environment_light(ShadingPoint p, FrameUniforms frame) {
   return frame.environment.x * (diffuse + specular * radiance * specular_occlusion(n_dot_v, occlusion, p.alpha));
 }
 
-// What near surfaces leave of the light that comes from direction `wi`. The includer defines it.
-float contact_visibility(ShadingPoint p, GpuLight l, vec3 wi);
-
 // The share of the sun, frame.sun_light, that reaches the point past what is far and near. The includer defines it.
 float sun_visibility(ShadingPoint p);
 
@@ -110,14 +107,14 @@ vec3 reflected_inside(ShadingPoint p, GpuLight l, LightSample light) {
   return reflected_openly(p, light);
 }
 
-// What of a lamp's light goes towards the eye.
+// What of a lamp's light goes towards the eye past all that its maps hold.
 vec3 reflected(ShadingPoint p, GpuLight l, LightSample light) {
   vec3 radiance = reflected_inside(p, l, light);
   if (kLocalShadows != 0u && l.shadow_view != 0u && radiance != vec3(0.0))
     radiance *= local_visibility(l, p.position_ws, p.face_normal_ws);
   if ((kTranslucentShadows & kLocalVeils) != 0u && l.shadow_view != 0u && radiance != vec3(0.0))
     radiance *= local_transmittance(l, p.position_ws, p.face_normal_ws);
-  return radiance == vec3(0.0) ? radiance : radiance * contact_visibility(p, l, light.wi);
+  return radiance;
 }
 
 // What a lamp of each kind adds: whatever lies between a lamp and a point belongs into these, or into reflected(), so that
@@ -143,6 +140,12 @@ vec3 light_spot(ShadingPoint p, uint index) {
   LightSample light = sample_spot(l, p.position_ws);
   light.irradiance *= projected(l, p.position_ws, light.wi);
   return reflected(p, l, light);
+}
+
+// Of any kind.
+vec3 light_of(ShadingPoint p, uint index, FrameUniforms frame) {
+  if (index < frame.first_point) return light_directional(p, index);
+  return index < frame.first_spot ? light_point(p, index) : light_spot(p, index);
 }
 
 #endif

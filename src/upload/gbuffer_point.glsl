@@ -13,20 +13,8 @@ layout(set = 0, binding = 4) uniform sampler2D depth_map;
 layout(set = 0, binding = 5) uniform usampler2D class_map;
 layout(set = 1, binding = 8) uniform sampler2D sun_mask;   // occlusion
 
-#include "upload/contact_shadows.glsl"
 #include "upload/geometric_normal.glsl"
 #include "upload/picture_depth.glsl"
-
-ContactReceiver contact_receiver;  // of the last gbuffer_point()
-
-float contact_visibility(ShadingPoint p, GpuLight l, vec3 wi) {
-  bool mapped = kLocalShadows != 0u && l.shadow_view != 0u;
-  bool asked = mapped || (kContactWithoutMap != 0u && (l.flags & kLightCastsShadow) != 0u);
-  if (kContactShadows == 0u || !asked) return 1.0;
-  float distance = is_directional(l) ? kUnboundedRadius : length(l.position_range.xyz - p.position_ws);
-  float texel_m = mapped ? local_texel(l, p.position_ws) : kUnboundedRadius;
-  return contact_visibility(contact_receiver, wi, distance, texel_m);
-}
 
 uint gbuffer_class(ivec2 pixel) {
   return texelFetch(class_map, pixel, 0).r & 3u;
@@ -48,7 +36,6 @@ ShadingPoint gbuffer_point(ivec2 pixel, float depth, uint material_class) {
   mat3 world_from_view = transpose(mat3(frame.view_from_world));
   Surface surface = gbuffer_decode(texel, material_class);
   vec3 position_ws = world_from_view * position_vs;
-  if (kContactShadows != 0u) contact_receiver = contact_receiver_at(pixel, depth, position_ws, surface.normal_ws);
   ShadingPoint p = shading_point(surface, position_ws, world_from_view * wo_vs);
   if (kLocalShadows != 0u || (kTranslucentShadows & kSunVeils) != 0u)
     p.face_normal_ws = world_from_view * geometric_normal(pixel, position_vs, surface.normal_ws * world_from_view);

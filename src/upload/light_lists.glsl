@@ -2,6 +2,7 @@
 #ifndef VEL_UPLOAD_LIGHT_LISTS_GLSL
 #define VEL_UPLOAD_LIGHT_LISTS_GLSL
 
+#include "shading/contact_shadow.glsl"
 #include "upload/frame_lighting.glsl"
 
 // Which of lights 32 word .. 32 word + 31 reach this pixel's tile, a bit each. The includer defines it.
@@ -15,16 +16,30 @@ uint tile_light_word(uint word, uint first, uint end) {
   return tile_light_word(word) & from & to;
 }
 
+// What the lamps of a pixel add, and the one of them that adds the most.
+struct LampLight {
+  vec3 sum;
+  vec3 largest;   // what that one adds
+  float key;      // its strength_key()
+};
+
+LampLight with_lamp(LampLight lamps, uint index, vec3 radiance) {
+  float key = strength_key(luminance(radiance), index);
+  vec3 largest = key > lamps.key ? radiance : lamps.largest;
+  return LampLight(lamps.sum + radiance, largest, max(key, lamps.key));
+}
+
 // Lights of the tile, kind by kind and in their order, so that every run adds in the same order.
 //
 // Loops test at their end: a software driver runs a body once more, masked, where the test stands before it.
-vec3 punctual_lights(ShadingPoint p, FrameUniforms frame) {
-  vec3 sum = vec3(0.0);
+LampLight punctual_lights(ShadingPoint p, FrameUniforms frame) {
+  LampLight lamps = LampLight(vec3(0.0), vec3(0.0), 0.0);
   uint word = 0u;
   if (frame.first_point > 0u) do {
       uint bits = tile_light_word(word, 0u, frame.first_point);
       if (bits != 0u) do {
-          sum += light_directional(p, word * 32u + uint(findLSB(bits)));
+          uint index = word * 32u + uint(findLSB(bits));
+          lamps = with_lamp(lamps, index, light_directional(p, index));
           bits &= bits - 1u;
         } while (bits != 0u);
     } while (++word * 32u < frame.first_point);
@@ -33,7 +48,8 @@ vec3 punctual_lights(ShadingPoint p, FrameUniforms frame) {
   if (frame.first_spot > frame.first_point) do {
       uint bits = tile_light_word(word, frame.first_point, frame.first_spot);
       if (bits != 0u) do {
-          sum += light_point(p, word * 32u + uint(findLSB(bits)));
+          uint index = word * 32u + uint(findLSB(bits));
+          lamps = with_lamp(lamps, index, light_point(p, index));
           bits &= bits - 1u;
         } while (bits != 0u);
     } while (++word * 32u < frame.first_spot);
@@ -42,11 +58,12 @@ vec3 punctual_lights(ShadingPoint p, FrameUniforms frame) {
   if (frame.light_count > frame.first_spot) do {
       uint bits = tile_light_word(word, frame.first_spot, frame.light_count);
       if (bits != 0u) do {
-          sum += light_spot(p, word * 32u + uint(findLSB(bits)));
+          uint index = word * 32u + uint(findLSB(bits));
+          lamps = with_lamp(lamps, index, light_spot(p, index));
           bits &= bits - 1u;
         } while (bits != 0u);
     } while (++word * 32u < frame.light_count);
-  return sum;
+  return lamps;
 }
 
 #endif

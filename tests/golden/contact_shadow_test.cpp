@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace velarium::test {
 namespace {
@@ -34,14 +35,14 @@ RenderRequest without(RenderRequest request) {
   return request;
 }
 
-// A step down along x = 0 from y = 0.01 to the floor, which a light throws a shadow from that is as wide as it is high.
+// A step down along x = 0 from y = 0.01 to the floor, which lights throw a shadow from that is as wide as it is high.
 // The sun, which has a map, is another light, from below, where it lights nothing that is seen.
-Scene step(const TestLight& light) {
+Scene step(const std::vector<TestLight>& lights) {
   GltfWriter scene;
   const int matt = scene.add_material({});
   scene.add_quad(matt, {0, 0, 0}, {0, 1, 0}, {1, 1});
   scene.add_box(matt, {-0.1f, 0.5f * kStep, 0}, {0.2f, kStep, 0.4f});
-  scene.add_light(light);
+  for (const auto& light : lights) scene.add_light(light);
   scene.add_light({.type = "directional", .intensity = 9.0f, .direction = {0, 1, 0}});
   scene.add_orthographic_camera({0, kEyeHeight, 0}, {0, 0, 0}, 0.5f * kPixel * kSide, 2.0f);
   return scene.load();
@@ -67,14 +68,14 @@ int shadow_pixels(const Scene& scene, const RenderRequest& request) {
 TEST(ContactShadows, AStepThrowsAShadowOfItsHeightUnder45Degrees) {
   const TestLight sun{.type = "directional", .direction = {1, -1, 0}};
   const int expected = static_cast<int>(kStep / kPixel);
-  EXPECT_NEAR(shadow_pixels(step(sun), linear_request(kSide, kSide)), expected, 1);
-  EXPECT_NEAR(shadow_pixels(step(sun), perspective_from_above()), expected, 1);
+  EXPECT_NEAR(shadow_pixels(step({sun}), linear_request(kSide, kSide)), expected, 1);
+  EXPECT_NEAR(shadow_pixels(step({sun}), perspective_from_above()), expected, 1);
 }
 
 TEST(ContactShadows, ComeFromLampsAsWell) {
   // Two centimetres high and so far beyond the edge that rays over it come down at 45 degrees.
   const TestLight lamp{.intensity = 0.01f, .position = {-0.01f, 2.0f * kStep, 0}};
-  EXPECT_NEAR(shadow_pixels(step(lamp), linear_request(kSide, kSide)), static_cast<int>(kStep / kPixel), 1);
+  EXPECT_NEAR(shadow_pixels(step({lamp}), linear_request(kSide, kSide)), static_cast<int>(kStep / kPixel), 1);
 }
 
 TEST(ContactShadows, NothingBeyondALampBlocksIt) {
@@ -89,16 +90,29 @@ TEST(ContactShadows, NothingBeyondALampBlocksIt) {
 
 TEST(ContactShadows, ComeFromLightsThatCastShadows) {
   const TestLight sun{.type = "directional", .direction = {1, -1, 0}, .extras = {{"casts_shadow", false}}};
-  EXPECT_EQ(shadow_pixels(step(sun), linear_request(kSide, kSide)), 0);
+  EXPECT_EQ(shadow_pixels(step({sun}), linear_request(kSide, kSide)), 0);
 }
 
 TEST(ContactShadows, LampsWithoutMapsThrowThemOnlyWhereAsked) {
   const TestLight lamp{.intensity = 0.01f, .position = {-0.01f, 2.0f * kStep, 0}};
-  const Scene scene = step(lamp);
+  const Scene scene = step({lamp});
   RenderRequest request = alone(linear_request(kSide, kSide));
   const Picture open = picture_of(scene, without(request));
   request.settings.contact_shadows.without_map = false;
   EXPECT_EQ(largest_error(picture_of(scene, request).linear, open.linear), 0.0);
+}
+
+// Light from above, which throws no shadow, is a 20th of the lamp's where that shines from 45 degrees, or 40 times as
+// much.
+TEST(ContactShadows, OnlyALampThatGivesMoreThanHalfOfTheLightThrowsOne) {
+  const TestLight lamp{.intensity = 0.01f, .position = {-0.01f, 2.0f * kStep, 0}};
+  TestLight above{
+      .type = "directional", .intensity = 1.0f, .direction = {0, -1, 0}, .extras = {{"casts_shadow", false}}};
+  EXPECT_NEAR(shadow_pixels(step({lamp, above}), linear_request(kSide, kSide)), static_cast<int>(kStep / kPixel), 1);
+  above.intensity = 1000.0f;
+  const Scene scene = step({lamp, above});
+  const RenderRequest request = alone(linear_request(kSide, kSide));
+  EXPECT_EQ(largest_error(picture_of(scene, request).linear, picture_of(scene, without(request)).linear), 0.0);
 }
 
 // How many pixels of the middle column the sun's mask hides.

@@ -27,11 +27,6 @@ uint tile_light_word(uint word) {
   return forward_lists[(tile.y * tiles_x + tile.x) * words + word];
 }
 
-// What is transparent is not in the depth that contact shadows are found in.
-float contact_visibility(ShadingPoint p, GpuLight l, vec3 wi) {
-  return 1.0;
-}
-
 float sun_visibility(ShadingPoint p) {
   float noise = screen_noise(uvec2(gl_FragCoord.xy), frame.frame_index, frame.seed);
   vec3 lit_side = faceforward(p.face_normal_ws, -sun.axis_z.xyz, p.face_normal_ws);
@@ -44,7 +39,8 @@ vec3 shade(FragmentInput f, vec3 base_color) {
   ShadingPoint p = shading_point(material_surface(f, base_color), in_position_ws, wo);
   p.face_normal_ws = normalize(cross(dFdx(in_position_ws), dFdy(in_position_ws)));
   vec3 light = material_emissive(f) + environment_light(p, frame);
-  if (kLights != 0u) light += punctual_lights(p, frame);
+  // What is transparent is not in the depth that contact shadows are found in.
+  if (kLights != 0u) light += punctual_lights(p, frame).sum;
   return light;
 }
 

@@ -23,6 +23,8 @@ layout(set = 0, binding = 10) uniform sampler2D lamp_map;        // what light_v
 #include "upload/gbuffer_point.glsl"
 #include "upload/light_lists.glsl"
 
+#include "passes/lighting/lamp_contact.glsl"
+
 layout(constant_id = 20) const uint kTiled = 1u;          // 0: every light at every pixel
 layout(constant_id = 21) const uint kForwardLists = 0u;   // 1: write the lists that transparent surfaces need
 layout(constant_id = 22) const uint kLamps = 1u;          // 0: none shines; 1: asked here; 2: light_volumes has asked them
@@ -146,6 +148,15 @@ vec4 background(vec2 ndc) {
   return vec4(min(textureLod(background_map, uv, 0.0).rgb * frame.environment.x, kLargestHalf), 1.0);
 }
 
+// What lamps add. light_volumes has kept the sum and the key of the lamp that adds the most, which contact shadows need.
+LampLight lamps_of(ShadingPoint p, ivec2 pixel) {
+  if (kLamps == 1u) return punctual_lights(p, frame);
+  if (kLamps == 0u) return LampLight(vec3(0.0), vec3(0.0), 0.0);
+  vec4 texel = texelFetch(lamp_map, pixel, 0);
+  if (kContactShadows == 0u || texel.a == 0.0) return LampLight(texel.rgb, vec3(0.0), 0.0);
+  return LampLight(texel.rgb, light_of(p, lamp_of_key(texel.a), frame), texel.a);
+}
+
 void shade(uvec2 at) {
   ivec2 pixel = ivec2(at);
   float depth = depth_at(ivec2(at));
@@ -158,8 +169,9 @@ void shade(uvec2 at) {
 
   ShadingPoint p = gbuffer_point(pixel, depth, material_class);
   vec3 light = imageLoad(hdr, pixel).rgb + environment_light(p, frame);
-  if (kLamps == 1u) light += punctual_lights(p, frame);
-  if (kLamps == 2u) light += texelFetch(lamp_map, pixel, 0).rgb;
+  LampLight lamps = lamps_of(p, pixel);
+  light += lamps.sum;
+  if (kLamps != 0u) light = max(light - hidden_by_contact(p, pixel, depth, lamps, light), vec3(0.0));  // rounding
   imageStore(hdr, pixel, vec4(min(light, kLargestHalf), 1.0));
 }
 

@@ -28,8 +28,8 @@ std::uint64_t turns_a_pixel(const passes::ShadingInputs& in) {
   // Search, layers, filter; half as many taps find and filter what dyes light.
   const auto taps = in.scene.light_ranges.sized ? 4 * s.local_shadows.taps : 2;
   const bool maps = in.shadow_atlas.version != 0;
-  return words + lights * static_cast<std::uint64_t>(1 + (maps ? taps : 0) +
-                                                     (s.contact_shadows.enabled ? s.contact_shadows.steps : 0));
+  const auto steps = s.contact_shadows.enabled ? s.contact_shadows.steps : 0;  // of one light
+  return words + lights * static_cast<std::uint64_t>(1 + (maps ? taps : 0)) + static_cast<std::uint64_t>(steps);
 }
 
 std::uint32_t threads_on_host(const passes::ShadingInputs& in) {

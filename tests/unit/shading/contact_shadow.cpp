@@ -60,5 +60,26 @@ TEST(ContactShadow, FadesAtItsEndAndAtThePicturesEdges) {
   EXPECT_EQ(contact_border(vec2(0.0f, 25.0f), size), 0.0f);
 }
 
+TEST(ContactShadow, KeysNameTheStrongestLamp) {
+  for (const uint index : {0u, 1u, 4095u, 16383u}) {
+    EXPECT_EQ(lamp_of_key(strength_key(0.37f, index)), index);
+    EXPECT_EQ(lamp_of_key(strength_key(1e38f, index)), index);
+    EXPECT_EQ(strength_key(0.0f, index), 0.0f);
+  }
+  // One part in 500 decides, whatever the lamps' numbers.
+  for (float luminance = 1e-20f; luminance < 1e20f; luminance *= 3.7f)
+    EXPECT_GT(strength_key(luminance * 1.002f, 0u), strength_key(luminance, 16383u)) << luminance;
+  EXPECT_LT(strength_key(1e38f, 16383u), 2e30f);  // no infinity, nor what is no number
+}
+
+TEST(ContactShadow, OnlyALampThatGivesMoreThanHalfOfTheLightThrowsOne) {
+  EXPECT_EQ(contact_weight(1.0f, 1.0f), 1.0f);
+  EXPECT_EQ(contact_weight(0.75f, 1.0f), 1.0f);
+  EXPECT_NEAR(contact_weight(0.625f, 1.0f), 0.5f, 1e-6);
+  EXPECT_EQ(contact_weight(0.5f, 1.0f), 0.0f);
+  EXPECT_EQ(contact_weight(0.4f, 1.0f), 0.0f);
+  EXPECT_EQ(contact_weight(0.0f, 0.0f), 0.0f);
+}
+
 }  // namespace
 }  // namespace velarium::shading
