@@ -107,14 +107,25 @@ vec3 reflected_inside(ShadingPoint p, GpuLight l, LightSample light) {
   return reflected_openly(p, light);
 }
 
+// What the maps of a lamp let through. Precondition: l.shadow_view is not 0.
+vec3 let_through(ShadingPoint p, GpuLight l) {
+  float light_radius = l.color.w, noise = 0.0;
+  vec3 from_light = p.position_ws - l.position_range.xyz;
+  ShadowReceiver r = local_receiver(l, from_light);
+  if (kLocalShadows > 1u && light_radius > 0.0) {
+    r = soft_receiver(r, from_light, p.face_normal_ws, light_radius);
+    noise = screen_noise(pixel_of(p.position_ws), frame.frame_index, frame.seed);
+  }
+  vec3 share = vec3(local_visibility(r, light_radius, noise));
+  bool veils = (kTranslucentShadows & kLocalVeils) != 0u && share.x > 0.0;
+  return veils ? share * local_transmittance(r, light_radius, noise) : share;
+}
+
 // What of a lamp's light goes towards the eye past all that its maps hold.
 vec3 reflected(ShadingPoint p, GpuLight l, LightSample light) {
   vec3 radiance = reflected_inside(p, l, light);
-  if (kLocalShadows != 0u && l.shadow_view != 0u && radiance != vec3(0.0))
-    radiance *= local_visibility(l, p.position_ws, p.face_normal_ws);
-  if ((kTranslucentShadows & kLocalVeils) != 0u && l.shadow_view != 0u && radiance != vec3(0.0))
-    radiance *= local_transmittance(l, p.position_ws, p.face_normal_ws);
-  return radiance;
+  bool mapped = kLocalShadows != 0u && l.shadow_view != 0u && radiance != vec3(0.0);
+  return mapped ? radiance * let_through(p, l) : radiance;
 }
 
 // What a lamp of each kind adds: whatever lies between a lamp and a point belongs into these, or into reflected(), so that

@@ -190,26 +190,24 @@ uvec2 pixel_of(vec3 position_ws) {
   return uvec2(clamp(clip.xy / clip.w * 0.5 + 0.5, 0.0, 1.0) * frame.size.xy);
 }
 
-// Side of a texel at a point, metres; 0 where nothing stands in the way. Precondition: l.shadow_view is not 0.
-float local_texel(GpuLight l, vec3 position_ws) {
-  vec3 from_light = position_ws - l.position_range.xyz;
+// A place as the view of a light sees it that looks there. Precondition: l.shadow_view is not 0.
+ShadowReceiver local_receiver(GpuLight l, vec3 from_light) {
   uint face = has_one_view(l) ? 0u : shadow_face(from_light);
-  ShadowView view = shadow_views[l.shadow_view - 1u + face];
-  return view.tile.x == 0.0 ? 0.0 : view.tile.z * shadow_view_depth(view, from_light);
+  return shadow_receiver(shadow_views[l.shadow_view - 1u + face], from_light);
 }
 
-// Precondition: l.shadow_view is not 0. face_normal: as soft_receiver's.
-float local_visibility(GpuLight l, vec3 position_ws, vec3 face_normal) {
-  vec3 from_light = position_ws - l.position_range.xyz;
-  uint face = has_one_view(l) ? 0u : shadow_face(from_light);
-  ShadowView view = shadow_views[l.shadow_view - 1u + face];
-  float light_radius = l.color.w, visibility = 1.0;
-  ShadowReceiver r = shadow_receiver(view, from_light);
-  if (view.tile.x > 0.0 && light_radius == 0.0) visibility = lit_share(r, vec2(0.0), r.depth);
-  if (kLocalShadows > 1u && view.tile.x > 0.0 && light_radius > 0.0) {
-    float noise = screen_noise(pixel_of(position_ws), frame.frame_index, frame.seed);
-    visibility = soft_visibility(soft_receiver(r, from_light, face_normal, light_radius), light_radius, noise);
-  }
+// Side of a texel at a point, metres; 0 where nothing stands in the way. Precondition: l.shadow_view is not 0.
+float local_texel(GpuLight l, vec3 position_ws) {
+  ShadowReceiver r = local_receiver(l, position_ws - l.position_range.xyz);
+  return r.view.tile.x == 0.0 ? 0.0 : r.view.tile.z * r.view_depth;
+}
+
+// r: local_receiver(), of a light that has a size soft_receiver().
+float local_visibility(ShadowReceiver r, float light_radius, float noise) {
+  float visibility = 1.0;
+  if (r.view.tile.x > 0.0 && light_radius == 0.0) visibility = lit_share(r, vec2(0.0), r.depth);
+  if (kLocalShadows > 1u && r.view.tile.x > 0.0 && light_radius > 0.0)
+    visibility = soft_visibility(r, light_radius, noise);
   return visibility;
 }
 

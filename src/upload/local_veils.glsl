@@ -53,18 +53,12 @@ vec3 soft_local_transmittance(ShadowReceiver r, float light_radius, float noise)
   return sum.rgb / sum.a;
 }
 
-// Precondition: l.shadow_view is not 0.
-vec3 local_transmittance(GpuLight l, vec3 position_ws, vec3 face_normal) {
-  vec3 from_light = position_ws - l.position_range.xyz;
-  uint face = has_one_view(l) ? 0u : shadow_face(from_light);
-  ShadowView view = shadow_views[l.shadow_view - 1u + face];
-  float view_depth = shadow_view_depth(view, from_light);
-  if (!may_be_veiled(view, view_depth, shadow_view_uv(view, from_light, view_depth))) return vec3(1.0);
-  float light_radius = l.color.w;
-  ShadowReceiver r = shadow_receiver(view, from_light);
-  if (light_radius == 0.0) return bilinear_veil(shadow_atlas_veils, vec3(clamp_to_tile(view, r.uv), 0.0), r.depth);
-  r = soft_receiver(r, from_light, face_normal, light_radius);
-  return soft_local_transmittance(r, light_radius, screen_noise(pixel_of(position_ws), frame.frame_index, frame.seed));
+// r: as local_visibility()'s.
+vec3 local_transmittance(ShadowReceiver r, float light_radius, float noise) {
+  bool veiled = may_be_veiled(r.view, r.view_depth, r.uv), sharp = light_radius == 0.0;
+  vec3 place = vec3(clamp_to_tile(r.view, r.uv), 0.0);
+  vec3 passing = bilinear_veil(shadow_atlas_veils, place, r.depth, veiled && sharp);
+  return veiled && !sharp ? soft_local_transmittance(r, light_radius, noise) : passing;
 }
 
 #endif

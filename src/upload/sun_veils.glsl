@@ -60,7 +60,7 @@ vec3 sun_transmittance(vec3 position_ws, vec3 face_normal) {
   if ((sun.veiled >> chosen & 1u) == 0u) return vec3(1.0);
   Cascade c = sun.cascades[chosen];
   vec3 place = cascade_place(c, p);
-  if (is_sharp(c)) return bilinear_veil(sun_veils, vec3(place.xy, chosen), place.z);
+  if (is_sharp(c)) return bilinear_veil(sun_veils, vec3(place.xy, chosen), place.z, true);
   vec3 lit_side = faceforward(face_normal, -sun.axis_z.xyz, face_normal);
   SunReceiver r = SunReceiver(float(chosen), place, cascade_slope(c, to_light_space(sun, lit_side)));
   return soft_sun_transmittance(c, r, first_tap_direction(noise));

@@ -21,18 +21,22 @@ vec3 past_veil(vec4 veil, float depth) {
   return past_veil(veil, depth, own_veil);
 }
 
-// A mean of four texels, each asked for itself whether it stands before the receiver. place: u, v, layer.
-vec3 bilinear_veil(sampler2DArray veils, vec3 place, float depth) {
+// A mean of four texels, each asked for itself whether it stands before the receiver; 1 where none is asked. place: u, v, layer.
+//
+// Drivers that run both sides of every branch leave loops early: there what is not asked costs one texel of four.
+vec3 bilinear_veil(sampler2DArray veils, vec3 place, float depth, bool asked) {
   ivec2 size = textureSize(veils, 0).xy;
   vec2 at = place.xy * vec2(size) - 0.5;
   vec2 share = at - floor(at);
-  ivec2 low = clamp(ivec2(floor(at)), ivec2(0), size - 1), high = min(low + 1, size - 1);
-  int layer = int(place.z);
-  vec3 upper_left = past_veil(texelFetch(veils, ivec3(low, layer), 0), depth);
-  vec3 upper_right = past_veil(texelFetch(veils, ivec3(high.x, low.y, layer), 0), depth);
-  vec3 lower_left = past_veil(texelFetch(veils, ivec3(low.x, high.y, layer), 0), depth);
-  vec3 lower_right = past_veil(texelFetch(veils, ivec3(high, layer), 0), depth);
-  return mix(mix(upper_left, upper_right, share.x), mix(lower_left, lower_right, share.x), share.y);
+  ivec2 low = clamp(ivec2(floor(at)), ivec2(0), size - 1), step = min(low + 1, size - 1) - low;
+  int texels = asked ? 4 : 0;
+  vec3 sum = vec3(asked ? 0.0 : 1.0);
+  for (int i = 0; i < texels; ++i) {
+    ivec2 corner = ivec2(i & 1, i >> 1);
+    vec2 weight = mix(1.0 - share, share, vec2(corner));
+    sum += weight.x * weight.y * past_veil(texelFetch(veils, ivec3(low + corner * step, place.z), 0), depth);
+  }
+  return sum;
 }
 
 #endif
