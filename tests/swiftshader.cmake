@@ -14,9 +14,6 @@ velarium_swiftshader_test(parity)
 velarium_swiftshader_test(display)
 velarium_swiftshader_test(furnace)
 velarium_swiftshader_test(bake --gtest_filter=*.AConstantStaysConstant)  # all of them take two minutes
-# Vertices that snap to 1/16 of a pixel move the surfaces that edges are seen to belong to. So next to edges lights end at
-# their volumes not to the bit, and of one shadow test the error is 0.0260 where lavapipe is held to 0.025.
-velarium_swiftshader_test(golden "--gtest_filter=-ClipVolumes.EndEachKindOfLight:ClipVolumes.DoNotDependOnWhereTheEyeIs:\
-ClipVolumes.HoldFarFromTheOrigin:LocalShadows.ShadowsGoOnAcrossTheFacesOfAPoint")
+velarium_swiftshader_test(golden)
 set_tests_properties(swiftshader_golden PROPERTIES
                      ENVIRONMENT VELARIUM_GOLDEN_OUT=${CMAKE_CURRENT_BINARY_DIR}/golden_on_swiftshader)

@@ -130,6 +130,7 @@ void Device::read_capabilities() {
   VkPhysicalDeviceFeatures features{};
   vkGetPhysicalDeviceFeatures(physical_, &features);
   const auto& limits = properties.limits;
+  caps_.sub_pixel_bits = limits.subPixelPrecisionBits;
   caps_.max_anisotropy = features.samplerAnisotropy ? limits.maxSamplerAnisotropy : 1.0f;
   caps_.max_image_size =
       std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight});

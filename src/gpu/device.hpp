@@ -12,6 +12,7 @@ namespace velarium::gpu {
 // What this device can do beyond what is required. The one place that optional features are asked at.
 struct Capabilities {
   float max_anisotropy = 1.0f;        // 1: none
+  std::uint32_t sub_pixel_bits = 4;   // vertices snap to so many binary digits of a pixel
   std::uint32_t max_image_size = 0;   // width and height of 2-D images and of what is drawn to, pixels
   double timestamp_ns = 0.0;          // nanoseconds a tick; 0: no timestamps
   bool host_is_device = false;        // a CPU driver: all memory is the host's

@@ -22,7 +22,7 @@ struct Cascade {
 
 // All that a shader knows of the sun's maps.
 struct SunShadows {
-  vec4 axis_x;          // xyz: unit, light space's in world axes
+  vec4 axis_x;          // xyz: unit, light space's in world axes; w: how far beside its plane a surface is seen, pixels
   vec4 axis_y;          // xyz: unit
   vec4 axis_z;          // xyz: unit, towards the sun; w: normal offset, texels
   Cascade cascades[6];  // kMaxCascades, near to far; GLSL 4.60 and C++ agree on a literal only

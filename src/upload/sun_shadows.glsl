@@ -1,8 +1,10 @@
 // The sun's shadow at a point, from its cascades: shared by the mask of opaque surfaces and by transparent ones. GLSL only.
+// The includer defines, before: FrameUniforms frame.
 #ifndef VEL_UPLOAD_SUN_SHADOWS_GLSL
 #define VEL_UPLOAD_SUN_SHADOWS_GLSL
 
 #include "shading/cascades.glsl"
+#include "shading/contact_shadow.glsl"
 #include "shading/shadow_bias.glsl"
 #include "shading/shadow_filter.glsl"
 #include "upload/shadow_taps.glsl"
@@ -151,7 +153,8 @@ float map_occlusion(sampler2DArray depths, sampler2DArrayShadow comparison, Casc
 
 // Where to look a point up. p, n: of light space, the place and the geometric normal; texels: to lift it along that.
 vec3 lifted_place(Cascade c, vec3 p, vec3 n, float texels) {
-  float offset = shadow_normal_offset(n.z, texels, c.depth.w);
+  float seen_beside = sun.axis_x.w * pixel_footprint(length(p), frame.ndc_to_view, frame.perspective, frame.size.y);
+  float offset = max(shadow_normal_offset(n.z, texels, c.depth.w), seen_beside);
   return cascade_place(c, p + n * offset + vec3(0.0, 0.0, kDepthLift * c.depth.w + c.soft.w));
 }
 

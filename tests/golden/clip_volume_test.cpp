@@ -1,5 +1,6 @@
 // Lights that end at a volume: two rooms that share a wall, the walls in the planes of the volume itself.
 
+#include "support/device.hpp"
 #include "support/gltf_writer.hpp"
 #include "support/metric.hpp"
 #include "support/pictures.hpp"
@@ -64,15 +65,6 @@ float largest(const Picture& picture, std::size_t channel) {
   return most;
 }
 
-double largest_red_error(const Picture& a, const Picture& b) {
-  std::vector<float> red_a, red_b;
-  for (std::size_t i = 0; i < a.linear.size(); i += 4) {
-    red_a.push_back(a.linear[i]);
-    red_b.push_back(b.linear[i]);
-  }
-  return largest_error(red_a, red_b);
-}
-
 RenderRequest seen_from(const glm::vec3& eye, const glm::vec3& target) {
   RenderRequest request = linear_request(97, 73);
   request.look_at =
@@ -80,14 +72,23 @@ RenderRequest seen_from(const glm::vec3& eye, const glm::vec3& target) {
   return request;
 }
 
+// Vulkan lets vertices snap to 1/16 of a pixel. Where they do, a surface that ends in a plane of the volume is seen up
+// to half of that beyond: of the pixels along such edges, one in a few tens lies on the wrong side.
+constexpr double kOnTheWrongSide = 0.001;  // of all pixels
+
 // Nothing reaches B, and A is as it is without a volume, to the bit.
 void expect_only_room_a(const TestLight& light, const RenderRequest& request, const glm::dvec3& origin = {}) {
-  const Picture open = picture_of(Rooms(light, origin).load(), request);
+  const auto without = engine().render(Rooms(light, origin).load(), request);
+  const Picture& open = without.picture;
   ASSERT_GT(largest(open, 0), 0.05f);
   ASSERT_GT(largest(open, 1), 0.05f) << "without a volume the light reaches room B";
   const Picture closed = picture_of(Rooms(ended(light), origin).load(), request);
-  EXPECT_EQ(largest(closed, 1), 0.0f);
-  EXPECT_EQ(largest_red_error(open, closed), 0.0);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < open.linear.size(); i += 4)
+    wrong += closed.linear[i] != open.linear[i] || closed.linear[i + 1] != 0.0f ? 1u : 0u;
+  const bool snaps_finely = without.report.device.starts_with("llvmpipe");  // to 1/256
+  const double allowed = snaps_finely ? 0.0 : kOnTheWrongSide * open.width * open.height;
+  EXPECT_LE(static_cast<double>(wrong), allowed);
 }
 
 TEST(ClipVolumes, EndEachKindOfLight) {

@@ -7,7 +7,6 @@
 #include "shading/normal_encoding.glsl"
 #include "shading/sampling.glsl"
 #include "upload/gpu_structs.glsl"
-#include "upload/sun_shadows.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -19,6 +18,7 @@ layout(set = 0, binding = 6, r32f) writeonly uniform image2D occlusion;
 #include "upload/contact_shadows.glsl"
 #include "upload/geometric_normal.glsl"
 #include "upload/picture_depth.glsl"
+#include "upload/sun_shadows.glsl"
 
 float pixel_occlusion(ivec2 pixel) {
   float depth = depth_at(pixel);

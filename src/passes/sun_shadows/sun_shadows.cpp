@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace velarium::sun_shadows {
 namespace {
@@ -170,6 +171,9 @@ void Maps::fit(gpu::Device& device, upload::SceneTables& scene, const upload::Vi
   scene.host_sun_shadows = {};
   if (wanted) {
     scene.host_sun_shadows = fit_all(scene, fit_view(view), settings);
+    // Half of what vertices snap to, on both axes.
+    scene.host_sun_shadows.axis_x.w =
+        std::ldexp(std::numbers::sqrt2_v<float>, -1 - static_cast<int>(device.caps().sub_pixel_bits));
   } else {
     maps_.clear();
     veiled_.clear();
