@@ -23,6 +23,7 @@ void use_what_needs_no_device() {
   expect(!velarium::option_group_help("frame").empty(), "groups have help");
   const std::vector<std::string> names = velarium::Scene::builtin_names();
   expect(velarium::nearest_name("sphere", names) == "spheres", "the nearest name is found");
+  expect(velarium::median<double>({3.0, 1.0, 2.0}) == 2.0, "the median stands in the middle");
   expect(velarium::Picture::stores_linear("a.exr"), "EXR stores linear light");
   expect(velarium::metric_table().size() == 6, "there are six metrics");
   velarium::Picture::check_destination("out.png");
