@@ -14,7 +14,7 @@ namespace velarium::app {
 
 [[nodiscard]] float parse_number(std::string_view text);  // finite
 [[nodiscard]] std::uint32_t parse_count(std::string_view text, std::uint32_t least, std::uint32_t most);
-[[nodiscard]] std::array<float, 3> parse_point(std::string_view text);                // "x,y,z"
+[[nodiscard]] std::array<float, 3> parse_point(std::string_view text);  // "x,y,z"
 // "AZ,EL", or "AZ,EL,LUX": degrees and lux. Ranges are the library's to check.
 [[nodiscard]] Sun parse_sun(std::string_view text);
 [[nodiscard]] std::array<std::uint32_t, 2> parse_size(std::string_view text);         // "WIDTHxHEIGHT", each 1..65535

@@ -22,7 +22,7 @@ struct DeviceInfo {
   std::string driver;       // name and version
   std::string api_version;  // "1.3.224"
   bool usable = false;
-  std::string why_not;      // what a device that is not usable lacks
+  std::string why_not;  // what a device that is not usable lacks
 };
 
 // Every Vulkan device of this machine, usable or not. Throws Error(no_device) where no loader is installed.
@@ -50,46 +50,48 @@ enum class Background { environment, color, transparent };
 
 struct RenderRequest {
   std::uint32_t width = 1280, height = 720;
-  std::string camera;               // name or index of a camera of the scene, "auto" (fits the scene), or empty: the first, else auto
-  std::optional<LookAt> look_at;    // instead of `camera`
-  std::string environment;          // file, "studio", "sky", "none"; empty: studio where the scene has no light, else none
-  std::optional<Sun> sun;           // none: the scene's own lights alone
+  // Name or index of a camera of the scene, "auto" (fits the scene), or empty: the first, else auto.
+  std::string camera;
+  std::optional<LookAt> look_at;  // instead of `camera`
+  std::string environment;  // file, "studio", "sky", "none"; empty: studio where the scene has no light, else none
+  std::optional<Sun> sun;   // none: the scene's own lights alone
   Background background = Background::environment;
   std::array<float, 3> background_color{0, 0, 0};  // display values 0..1, sRGB-encoded
   float time_s = 0.0f;
-  std::string animation;            // name, index, "all" or "none"; empty: the first
+  std::string animation;  // name, index, "all" or "none"; empty: the first
   Settings settings;
-  bool want_linear = true, want_display = true;    // which halves of Picture to fill
-  std::vector<std::string> dumps;   // "pass.image" names to bring back from the last frame
+  bool want_linear = true, want_display = true;  // which halves of Picture to fill
+  std::vector<std::string> dumps;                // "pass.image" names to bring back from the last frame
   std::function<void(std::uint32_t done, std::uint32_t of)> on_frame;  // after each frame, on the calling thread
 };
 
 struct PassTime {
   std::string name;
-  double ms = 0;                    // median over the frames, the first excluded where there are several
-  std::vector<double> frames_ms;    // each of those frames, in order
+  double ms = 0;                  // median over the frames, the first excluded where there are several
+  std::vector<double> frames_ms;  // each of those frames, in order
 };
 
 struct MapMemory {
-  std::string name;                 // "pass.image", as RenderRequest::dumps has it
-  std::uint64_t bytes = 0;          // of device memory, with what the driver adds
+  std::string name;         // "pass.image", as RenderRequest::dumps has it
+  std::uint64_t bytes = 0;  // of device memory, with what the driver adds
 };
 
 struct RenderReport {
-  double frame_ms = 0;              // device time of a frame: median, the first excluded where there are several
-  std::vector<double> frames_ms;    // each of those frames, in order
+  double frame_ms = 0;            // device time of a frame: median, the first excluded where there are several
+  std::vector<double> frames_ms;  // each of those frames, in order
   std::uint32_t frames = 0;
   std::vector<PassTime> passes;
-  std::uint64_t device_bytes = 0;   // peak of device memory that this engine allocated
-  std::vector<MapMemory> shadow_maps;  // that the engine holds for this picture; together they are what shadows.memory bounds
+  std::uint64_t device_bytes = 0;  // peak of device memory that this engine allocated
+  // That the engine holds for this picture; together they are what shadows.memory bounds.
+  std::vector<MapMemory> shadow_maps;
   std::string device;
-  std::vector<std::string> notes;   // decisions a user should hear of, one sentence each
+  std::vector<std::string> notes;  // decisions a user should hear of, one sentence each
 };
 
 struct DumpedImage {
   std::string name;
   std::uint32_t width = 0, height = 0;
-  std::vector<float> rgba;          // as stored, widened to float
+  std::vector<float> rgba;  // as stored, widened to float
 };
 
 struct RenderResult {
@@ -107,13 +109,16 @@ class Engine {
   Engine(Engine&&) noexcept;
   Engine& operator=(Engine&&) noexcept;
 
-  // Does ahead what pictures of `request` need and no scene decides, where the request names its environment: bakes that,
-  // makes tables, and lets the driver compile pipelines. Pictures are the same without it; it is worth a call on a thread of
-  // its own while a scene loads (docs/library.md). Throws as render() does for the environment and the settings.
+  // Does ahead what pictures of `request` need and no scene decides, where the request names its environment: bakes
+  // that, makes tables, and lets the driver compile pipelines. Pictures are the same without it; it is worth a call on
+  // a thread of its own while a scene loads (docs/library.md). Throws as render() does for the environment and the
+  // settings.
   void prepare(const RenderRequest& request);
   [[nodiscard]] RenderResult render(const Scene& scene, const RenderRequest& request);
   // The picture alone.
-  [[nodiscard]] Picture picture(const Scene& scene, const RenderRequest& request = {}) { return render(scene, request).picture; }
+  [[nodiscard]] Picture picture(const Scene& scene, const RenderRequest& request = {}) {
+    return render(scene, request).picture;
+  }
 
  private:
   struct State;

@@ -13,11 +13,11 @@ enum class OptionType { boolean, integer, real, choice };
 
 // One row of options.def, for programs that list, document or edit options.
 struct OptionInfo {
-  std::string_view key;           // "lighting.model"
+  std::string_view key;  // "lighting.model"
   OptionType type;
-  std::string_view unit;          // "" where it has none
-  std::string_view help;          // one sentence
-  double minimum, maximum;        // of integers and reals
+  std::string_view unit;    // "" where it has none
+  std::string_view help;    // one sentence
+  double minimum, maximum;  // of integers and reals
   std::vector<std::string_view> choices;
   std::string default_text;
 };

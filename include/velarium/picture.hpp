@@ -15,7 +15,7 @@ struct PictureLayer {
   std::string name;
   std::vector<std::string> channels;  // "R", "G", "B"; "X", "Y", "Z"; "Z"
   std::vector<float> values;
-  bool exact = false;                 // stored as 32-bit floats whatever the settings say
+  bool exact = false;  // stored as 32-bit floats whatever the settings say
 };
 
 // A finished picture: rows from the top, pixels from the left, four channels (red, green, blue, alpha).

@@ -21,8 +21,8 @@ struct ReferenceRequest {
   // The view, as Engine::render() takes it. What speaks of devices, frames and dumps has no meaning here: paths a pixel
   // and what else only the path tracer asks are in view.settings.reference, the seed is view.settings.frame.seed.
   RenderRequest view;
-  // Called on the calling thread, before the first path and then some times a second. False: stop, and return what there
-  // is.
+  // Called on the calling thread, before the first path and then some times a second. False: stop, and return what
+  // there is.
   std::function<bool(const ReferenceProgress&)> on_progress;
 };
 

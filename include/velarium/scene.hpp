@@ -19,7 +19,8 @@ struct Scene;
 struct LoadOptions {
   bool allow_outside_files = false;  // may a scene name files outside its own folder?
   std::string variant;               // of the materials: a name or index; "none" or empty: the usual ones
-  Settings::load_settings limits;    // group `load` of options.def; what exceeds one is refused before memory is asked for
+  // Group `load` of options.def; what exceeds one is refused before memory is asked for.
+  Settings::load_settings limits;
 };
 
 // What `velarium info` tells.
@@ -28,9 +29,21 @@ struct SceneInfo {
   std::string generator;
   std::uint64_t nodes = 0, meshes = 0, primitives = 0, vertices = 0, triangles = 0, lines = 0, points = 0;
   std::uint64_t materials = 0, textures = 0, images = 0, texels = 0, skins = 0, morph_targets = 0;
-  struct Animation { std::string name; float duration_s; std::uint64_t channels; };
-  struct Camera { std::string name; std::string kind; };
-  struct Light { std::string name; std::string kind; std::array<float, 3> color; float intensity; };
+  struct Animation {
+    std::string name;
+    float duration_s;
+    std::uint64_t channels;
+  };
+  struct Camera {
+    std::string name;
+    std::string kind;
+  };
+  struct Light {
+    std::string name;
+    std::string kind;
+    std::array<float, 3> color;
+    float intensity;
+  };
   struct Parameter {
     std::string key;
     std::uint32_t value, least, most;
@@ -38,11 +51,11 @@ struct SceneInfo {
     std::vector<std::string> names;  // of the values from 0 on, which are written by them; empty: by their numbers
   };
   std::vector<Animation> animations;
-  std::vector<Camera> cameras;    // as instanced in the scene, at time 0
-  std::vector<Light> lights;      // as instanced in the scene, at time 0
-  std::array<float, 3> bounds_min{}, bounds_max{};   // metres, world space, at time 0
-  std::vector<std::string> variants;                 // that LoadOptions::variant can name
-  std::vector<Parameter> parameters;                 // of a built-in scene: "builtin:NAME?key=value&key=value"
+  std::vector<Camera> cameras;                      // as instanced in the scene, at time 0
+  std::vector<Light> lights;                        // as instanced in the scene, at time 0
+  std::array<float, 3> bounds_min{}, bounds_max{};  // metres, world space, at time 0
+  std::vector<std::string> variants;                // that LoadOptions::variant can name
+  std::vector<Parameter> parameters;                // of a built-in scene: "builtin:NAME?key=value&key=value"
   std::vector<std::string> extensions_used, extensions_required, warnings;
 };
 

@@ -19,6 +19,7 @@ enum class Transport { direct, direct_env, one_bounce, full };
 // Everything that a picture depends on besides the scene, the view and the time: one struct a group,
 // one member a row of options.def, which gives units, ranges and meaning. The group `load` is for LoadOptions.
 struct Settings {
+// clang-format off
 #define VEL_GROUP(group, help) struct group##_settings {
 #define VEL_BOOL(group, name, value, help) bool name = value;
 #define VEL_INT(group, name, value, min, max, unit, help) int name = value;
@@ -26,6 +27,7 @@ struct Settings {
 #define VEL_FLOAT(group, name, value, min, max, unit, help) float name = value;
 #define VEL_ENUM(group, name, Type, value, help) Type name = Type::value;
 #define VEL_END(group) } group;
+// clang-format on
 #include <velarium/options.def>
 #undef VEL_GROUP
 #undef VEL_BOOL

@@ -21,8 +21,8 @@ struct BrdfSample {
 };
 
 // The arguments are those of shading::evaluate_brdf: unit directions, alpha >= kMinAlpha, specular_scale from
-// energy_compensation() or 1, any model. One lobe is chosen by its share of the albedo: visible GGX normals [Heitz 2018;
-// Dupuy & Benyoub 2023], or the cosine. The density is that of the mixture.
+// energy_compensation() or 1, any model. One lobe is chosen by its share of the albedo: visible GGX normals [Heitz
+// 2018; Dupuy & Benyoub 2023], or the cosine. The density is that of the mixture.
 //
 // wo may lie behind the shading normal, where interpolation or a normal map turned it. evaluate_brdf then shades with
 // |n.wo|, and normals are sampled as wo's mirror image in the surface sees them: about that half vector D is nowhere

@@ -72,8 +72,8 @@ class Geometry {
   void attach(RTCScene scene, RTCGeometry geometry, std::uint32_t material, unsigned id);
   [[nodiscard]] SceneOwner new_scene() const;
   void check(const char* doing) const;
-  [[nodiscard]] bool lets_through(Context& context, std::uint32_t object, std::uint32_t triangle, float u,
-                                  float v, float distance) const;
+  [[nodiscard]] bool lets_through(Context& context, std::uint32_t object, std::uint32_t triangle, float u, float v,
+                                  float distance) const;
   static void filter_transparent(const RTCFilterFunctionNArguments* arguments);
   static void filter_back_faces(const RTCFilterFunctionNArguments* arguments);
 

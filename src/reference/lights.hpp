@@ -46,8 +46,8 @@ class Lights {
   // clip_records: of the volumes that they end at, as shading/clip_volume.glsl reads them.
   // environment: null where there is none. All but the lamps must outlive this.
   Lights(std::vector<shading::GpuLight> lamps, std::span<const scene::Image> projectors,
-         std::span<const glm::vec4> clip_records, const image::FloatImage* environment, float rotation_deg, float intensity, const std::vector<Object>& objects,
-         const Materials& materials);
+         std::span<const glm::vec4> clip_records, const image::FloatImage* environment, float rotation_deg,
+         float intensity, const std::vector<Object>& objects, const Materials& materials);
 
   [[nodiscard]] bool has_environment() const { return environment_ && !environment_->dark(); }
   [[nodiscard]] bool has_emitters() const { return !emitters_.empty(); }

@@ -16,8 +16,8 @@ class Materials::Reader {
     return slot.texture.sample(uv_, slot.log2_texels + log2_uv_, footprint_.choice);
   }
 
-  // Of the largest mip, whatever the footprint. Means of normals are the normals of a smoother surface: what is averaged
-  // is the light of many paths. Precondition: there is a texture.
+  // Of the largest mip, whatever the footprint. Means of normals are the normals of a smoother surface: what is
+  // averaged is the light of many paths. Precondition: there is a texture.
   [[nodiscard]] glm::vec4 read_full_size(const Slot& slot) {
     turn_to(slot.texture.uv_set);
     return slot.texture.sample(uv_, 0.0f, footprint_.choice);

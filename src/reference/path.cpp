@@ -39,7 +39,7 @@ vec3 bent_normal(const vec3& n, const vec3& outside, const vec3& wo) {
   const float least = std::min(kLeastRise, 0.9f * glm::dot(wo, outside));
   if (rise(n) >= least) return n;
   if (glm::dot(n, outside) < -0.99f) return outside;  // opposite ones have no mean
-  float low = 0.0f, high = 1.0f;  // shares of `outside`, by which wo is mirrored as high as it is
+  float low = 0.0f, high = 1.0f;                      // shares of `outside`, by which wo is mirrored as high as it is
   for (int i = 0; i < kHalvings; ++i) {
     const float middle = 0.5f * (low + high);
     (rise(glm::normalize(glm::mix(n, outside, middle))) < least ? low : high) = middle;
@@ -145,7 +145,8 @@ void PathTracer::follow(Path& path) const {
     if (vertex.look.unlit || path.reflections == transport_.reflections) return;
     const Draws draws(path.sequence);
     path.receiver = {vertex.point.position_ws, vertex.look.surface.normal_ws};
-    path.chances = world_.lights.chances(path.receiver, {.environment = transport_.environment, .emitters = transport_.glow});
+    path.chances =
+        world_.lights.chances(path.receiver, {.environment = transport_.environment, .emitters = transport_.glow});
     add_light(path, vertex, draws);
     if (!reflect(path, vertex, draws)) return;
   }

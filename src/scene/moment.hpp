@@ -9,17 +9,17 @@
 namespace velarium::scene {
 
 struct Instance {
-  std::uint32_t primitive = 0;      // into Scene::primitives
-  std::int32_t deformed = kNone;    // into Moment::deformed where a skin or morph targets move this instance
+  std::uint32_t primitive = 0;    // into Scene::primitives
+  std::int32_t deformed = kNone;  // into Moment::deformed where a skin or morph targets move this instance
   std::uint32_t node = 0;
   glm::mat4 world_from_object{1.0f};  // identity for skinned instances, whose vertices are in world space
-  bool mirrored = false;            // negative determinant: front faces are clockwise
-  Aabb bounds;                      // world space
+  bool mirrored = false;              // negative determinant: front faces are clockwise
+  Aabb bounds;                        // world space
 };
 
 struct LightInstance {
   Light light;
-  glm::vec3 position{0.0f};         // world space, metres
+  glm::vec3 position{0.0f};                // world space, metres
   glm::vec3 direction{0.0f, 0.0f, -1.0f};  // world space, unit, where the light shines to
   glm::vec3 right{1.0f, 0.0f, 0.0f};       // world space, unit, at right angles to it: +X of the node
 };
@@ -35,14 +35,15 @@ struct Moment {
   std::vector<LightInstance> lights;
   std::vector<CameraInstance> cameras;
   std::vector<glm::mat4> world_from_clip_volume;  // by Scene::clip_volumes, whether their nodes are shown or not
-  Aabb bounds;                      // world space, of everything drawn; empty where nothing is
+  Aabb bounds;                                    // world space, of everything drawn; empty where nothing is
 };
 
-// `animation`: a name, an index, "all", "none" (the pose of the nodes themselves), or empty for the first. Times outside a sampler clamp to its ends.
-// Throws Error(usage) where no animation has that name, listing those there are.
+// `animation`: a name, an index, "all", "none" (the pose of the nodes themselves), or empty for the first. Times
+// outside a sampler clamp to its ends. Throws Error(usage) where no animation has that name, listing those there are.
 [[nodiscard]] Moment moment_at(const Scene& scene, float time_s, const std::string& animation);
 
-// By node: does any animation move it, or one that it hangs on? Skins and morph targets are not asked: Instance::deformed.
+// By node: does any animation move it, or one that it hangs on? Skins and morph targets are not asked:
+// Instance::deformed.
 [[nodiscard]] std::vector<bool> moving_nodes(const Scene& scene);
 
 // A camera at `eye`. Throws Error(usage) where eye and target coincide or `up` is parallel to the view.

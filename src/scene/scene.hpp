@@ -38,7 +38,7 @@ enum class Filter : std::uint8_t { nearest, linear };
 
 struct Sampler {
   Filter mag = Filter::linear, min = Filter::linear, mip = Filter::linear;
-  bool mipmapped = true;   // false: only the full-size image is read
+  bool mipmapped = true;  // false: only the full-size image is read
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
   auto operator<=>(const Sampler&) const = default;
 };
@@ -47,7 +47,7 @@ struct Sampler {
 struct Image {
   std::string name;
   std::uint32_t width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;   // 4 * width * height
+  std::vector<std::uint8_t> rgba;  // 4 * width * height
 };
 
 struct Texture {
@@ -60,7 +60,7 @@ struct TextureRef {
   std::int32_t texture = kNone;
   std::uint32_t uv_set = 0;
   glm::vec2 offset{0.0f}, scale{1.0f};
-  float rotation = 0.0f;            // radians, counter-clockwise in the sense of the extension's matrix
+  float rotation = 0.0f;  // radians, counter-clockwise in the sense of the extension's matrix
   [[nodiscard]] bool present() const { return texture != kNone; }
 };
 
@@ -68,25 +68,25 @@ enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
 struct Material {
   std::string name;
-  glm::vec4 base_color{1.0f};       // linear, times the texture (sRGB) and the vertex colour
+  glm::vec4 base_color{1.0f};  // linear, times the texture (sRGB) and the vertex colour
   TextureRef base_color_texture;
   float metallic = 1.0f, perceptual_roughness = 1.0f;
-  TextureRef metallic_roughness_texture;    // G roughness, B metallic
+  TextureRef metallic_roughness_texture;  // G roughness, B metallic
   float normal_scale = 1.0f;
   TextureRef normal_texture;
   float occlusion_strength = 1.0f;
-  TextureRef occlusion_texture;             // R
-  glm::vec3 emissive{0.0f};                 // factor times KHR_materials_emissive_strength, nits
-  TextureRef emissive_texture;              // sRGB
-  float ior = 1.5f;                         // KHR_materials_ior; 0 means F0 = 1
-  float specular = 1.0f;                    // KHR_materials_specular
+  TextureRef occlusion_texture;  // R
+  glm::vec3 emissive{0.0f};      // factor times KHR_materials_emissive_strength, nits
+  TextureRef emissive_texture;   // sRGB
+  float ior = 1.5f;              // KHR_materials_ior; 0 means F0 = 1
+  float specular = 1.0f;         // KHR_materials_specular
   glm::vec3 specular_color{1.0f};
-  TextureRef specular_texture;              // A
-  TextureRef specular_color_texture;        // sRGB
+  TextureRef specular_texture;        // A
+  TextureRef specular_color_texture;  // sRGB
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
-  bool unlit = false;                       // KHR_materials_unlit
+  bool unlit = false;  // KHR_materials_unlit
 };
 
 // --- geometry ---------------------------------------------------------------------------------------------------
@@ -100,29 +100,30 @@ struct VertexFrames {
   std::vector<glm::vec4> tangents;  // w: sign of the bitangent
 };
 
-struct MorphTarget {                // displacements; empty where the target does not move that attribute
+// Displacements; empty where the target does not move that attribute.
+struct MorphTarget {
   std::vector<glm::vec3> positions, normals, tangents;
 };
 
 struct Primitive {
   Topology topology = Topology::triangles;
-  std::int32_t material = kNone;    // kNone: the default material
-  VertexFrames vertices;            // triangles always have normals after reading; tangents where a normal map needs them
+  std::int32_t material = kNone;  // kNone: the default material
+  VertexFrames vertices;          // triangles always have normals after reading; tangents where a normal map needs them
   std::array<std::vector<glm::vec2>, kMaxUvSets> uv;
-  std::vector<glm::vec4> colors;    // linear
-  std::vector<glm::u16vec4> joints; // first index into Skin::joints; 4 a vertex and set, set after set
-  std::vector<glm::vec4> weights;   // parallel to `joints`; sum to 1
-  std::uint32_t skin_sets = 0;      // joints.size() == skin_sets * vertex count
+  std::vector<glm::vec4> colors;       // linear
+  std::vector<glm::u16vec4> joints;    // first index into Skin::joints; 4 a vertex and set, set after set
+  std::vector<glm::vec4> weights;      // parallel to `joints`; sum to 1
+  std::uint32_t skin_sets = 0;         // joints.size() == skin_sets * vertex count
   std::vector<std::uint32_t> indices;  // never empty after reading
   std::vector<MorphTarget> morph_targets;
-  Aabb bounds;                      // of `vertices.positions`, object space, undeformed
+  Aabb bounds;  // of `vertices.positions`, object space, undeformed
   [[nodiscard]] std::size_t vertex_count() const { return vertices.positions.size(); }
 };
 
 struct Mesh {
   std::string name;
   std::vector<std::uint32_t> primitives;
-  std::vector<float> weights;       // default morph weights
+  std::vector<float> weights;  // default morph weights
 };
 
 // --- the node tree ----------------------------------------------------------------------------------------------
@@ -143,14 +144,14 @@ struct Node {
   glm::vec3 scale{1.0f};
   std::optional<glm::mat4> matrix;  // instead of the three above; such a node is never animated
   std::int32_t mesh = kNone, skin = kNone, camera = kNone, light = kNone;
-  std::vector<float> weights;       // morph weights; empty: the mesh's
-  std::vector<Placement> instances; // of the mesh; empty: one, at the node itself
+  std::vector<float> weights;        // morph weights; empty: the mesh's
+  std::vector<Placement> instances;  // of the mesh; empty: one, at the node itself
 };
 
 struct Skin {
   std::string name;
-  std::vector<std::uint32_t> joints;           // nodes
-  std::vector<glm::mat4> joint_from_object;    // inverse bind matrices, one a joint
+  std::vector<std::uint32_t> joints;         // nodes
+  std::vector<glm::mat4> joint_from_object;  // inverse bind matrices, one a joint
 };
 
 struct Camera {
@@ -179,7 +180,8 @@ struct Projector {
   [[nodiscard]] bool present() const { return image != kNone; }
 };
 
-struct Light {  // KHR_lights_punctual: shines along -Z of its node. What else there is comes from extras: docs/lights.md
+// KHR_lights_punctual: shines along -Z of its node. What else there is comes from extras: docs/lights.md
+struct Light {
   std::string name;
   LightKind kind = LightKind::point;
   glm::vec3 color{1.0f};
@@ -187,8 +189,8 @@ struct Light {  // KHR_lights_punctual: shines along -Z of its node. What else t
   Falloff falloff = Falloff::inverse_square;
   float range = 0.0f;  // metres; 0: infinite
   bool casts_shadow = true;
-  float radius = 0.0f;          // of a bulb whose light this is, metres; 0: a point
-  float angular_radius = 0.0f;  // directional: of the disc that is seen, radians; 0: one direction
+  float radius = 0.0f;                               // of a bulb whose light this is, metres; 0: a point
+  float angular_radius = 0.0f;                       // directional: of the disc that is seen, radians; 0: one direction
   float inner_cone = 0.0f, outer_cone = 0.7853982f;  // radians from the axis
   std::int32_t clip_volume = kNone;                  // that it ends at. From extras.clip_volume
   Projector projector;                               // spot
@@ -210,9 +212,9 @@ enum class AnimatedPath : std::uint8_t { translation, rotation, scale, weights }
 
 struct AnimationSampler {
   Interpolation interpolation = Interpolation::linear;
-  std::vector<float> times;         // seconds, strictly increasing, not empty
-  std::vector<float> values;        // components after components; cubic: in-tangent, value, out-tangent each
-  std::uint32_t components = 0;     // floats a value: 3, 4, or the number of morph targets
+  std::vector<float> times;      // seconds, strictly increasing, not empty
+  std::vector<float> values;     // components after components; cubic: in-tangent, value, out-tangent each
+  std::uint32_t components = 0;  // floats a value: 3, 4, or the number of morph targets
 };
 
 struct AnimationChannel {
@@ -224,26 +226,26 @@ struct Animation {
   std::string name;
   std::vector<AnimationSampler> samplers;
   std::vector<AnimationChannel> channels;
-  float duration = 0.0f;            // seconds: the largest time of its samplers
+  float duration = 0.0f;  // seconds: the largest time of its samplers
 };
 
 struct Scene {
-  std::string source;               // file or "builtin:NAME"
+  std::string source;  // file or "builtin:NAME"
   std::string generator;
-  std::string environment;          // the environment that the scene is made for ("white", "none"); empty: none is named
+  std::string environment;  // that the scene is made for ("white", "none"); empty: none is named
   std::vector<Image> images;
   std::vector<Texture> textures;
   std::vector<Material> materials;
   std::vector<Primitive> primitives;
   std::vector<Mesh> meshes;
   std::vector<Node> nodes;
-  std::vector<std::uint32_t> roots; // of the scene that is shown
+  std::vector<std::uint32_t> roots;  // of the scene that is shown
   std::vector<Skin> skins;
   std::vector<Camera> cameras;
   std::vector<Light> lights;
   std::vector<ClipVolume> clip_volumes;
   std::vector<Animation> animations;
-  std::vector<std::string> variants;   // KHR_materials_variants; primitives have the materials of the one asked for
+  std::vector<std::string> variants;  // KHR_materials_variants; primitives have the materials of the one asked for
   std::vector<std::string> extensions_used, extensions_required;
   std::vector<std::string> warnings;
 };

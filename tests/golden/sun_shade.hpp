@@ -16,8 +16,8 @@ namespace velarium::test {
 // A plane of 12 metres under a sun that it turns away from by this angle, degrees.
 [[nodiscard]] Scene tilted_plane(float tilt);
 
-// Where that plane is darkest, as shadow_of() says: 1 where it shows no shadow of its own. options: KEY=VALUE, parted by
-// spaces.
+// Where that plane is darkest, as shadow_of() says: 1 where it shows no shadow of its own. options: KEY=VALUE, parted
+// by spaces.
 [[nodiscard]] float darkest_on_plane(const Scene& plane, const std::string& options);
 
 }  // namespace velarium::test

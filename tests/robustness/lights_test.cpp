@@ -85,9 +85,7 @@ TEST(DegenerateLights, BulbsOfNoAndOfAnySize) {
       light.extras = {{"radius", radius}, {"falloff", falloff}};
       const Picture picture = lit_by({light});
       EXPECT_TRUE(is_finite(picture)) << radius << " m, " << falloff;
-      if (radius < 1e-6f) {
-        EXPECT_NEAR(lit_share(picture), of_a_point, 0.02) << radius << " m, " << falloff;
-      }
+      if (radius < 1e-6f) { EXPECT_NEAR(lit_share(picture), of_a_point, 0.02) << radius << " m, " << falloff; }
     }
   }
 }

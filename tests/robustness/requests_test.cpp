@@ -197,8 +197,9 @@ TEST(Places, AHundredKilometresFromTheOriginNothingTrembles) {
     return picture_of(scene.load(), request);
   };
   EXPECT_EQ(largest_error(view_of(glm::vec3(0.0f), false).linear, view_of(far, false).linear), 0.0);
-  // The sun's maps lie on a grid of the world, so that their texels lie elsewhere in the scene: where an outline crosses a
-  // pixel, that may differ by the share of a texel. It does so half a metre away as well, as much and as seldom.
+  // The sun's maps lie on a grid of the world, so that their texels lie elsewhere in the scene: where an outline
+  // crosses a pixel, that may differ by the share of a texel. It does so half a metre away as well, as much and as
+  // seldom.
   const Picture here = view_of(glm::vec3(0.0f), true);
   for (const glm::vec3& place : {glm::vec3(0.5f, 0.0f, 0.0f), far}) {
     const Picture there = view_of(place, true);

@@ -145,8 +145,8 @@ void GltfWriter::add_light(const TestLight& l) {
 }
 
 void GltfWriter::add_clip_box(const std::string& name, const glm::vec3& center, const glm::vec3& half_size) {
-  add_child({{"translation", json(center)},
-             {"extras", {{"clip_volume", {{"name", name}, {"half_size", json(half_size)}}}}}});
+  add_child(
+      {{"translation", json(center)}, {"extras", {{"clip_volume", {{"name", name}, {"half_size", json(half_size)}}}}}});
 }
 
 void GltfWriter::add_orthographic_camera(const glm::vec3& eye, const glm::vec3& target, float half_height,

@@ -70,7 +70,8 @@ TEST(EnvironmentBrdf, TableHasConverged) {
     ASSERT_EQ(table.size(), kSize * kSize);
     for (uint y = 0; y < kSize; y += 9) {
       for (uint x = 0; x < kSize; x += x < 4 ? 1 : 12) {
-        const float nv = std::max(static_cast<float>(x) / (kSize - 1), 1e-3f), smoothness = static_cast<float>(y) / (kSize - 1);
+        const float nv = std::max(static_cast<float>(x) / (kSize - 1), 1e-3f),
+                    smoothness = static_cast<float>(y) / (kSize - 1);
         const vec2 exact = integrate_environment_brdf(nv, alpha_from_smoothness(smoothness), model, 300);
         ASSERT_NEAR(table[y * kSize + x].x, exact.x, 6e-4) << model << ' ' << x << ' ' << y;
         ASSERT_NEAR(table[y * kSize + x].y, exact.y, 6e-4) << model << ' ' << x << ' ' << y;

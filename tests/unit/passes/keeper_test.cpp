@@ -125,9 +125,7 @@ TEST_F(ShadowKeeper, AFullAtlasShrinksMapsAndStaysWithinItsSides) {
       (void)step(views_of(lights), 20);
       EXPECT_FALSE(overlap());
       for (const auto& at : placed_)
-        if (at.tile) {
-          EXPECT_LE(std::max(at.tile->x, at.tile->y) + at.tile->size, 256u);
-        }
+        if (at.tile) { EXPECT_LE(std::max(at.tile->x, at.tile->y) + at.tile->size, 256u); }
     }
   EXPECT_EQ(mapped(), 5u);
 }

@@ -102,7 +102,8 @@ TEST(LightVolumes, ConeBodyHoldsTheSector) {
     for (int i = 0; i < 2000; ++i) {
       const float height = random.uniform(cos_outer, 1.0f), turn = random.uniform(0.0f, kTwoPi);
       const float side = std::sqrt(1.0f - height * height);
-      const glm::dvec3 point = double{random.uniform()} * glm::dvec3(side * std::cos(turn), side * std::sin(turn), height);
+      const glm::dvec3 point =
+          double{random.uniform()} * glm::dvec3(side * std::cos(turn), side * std::sin(turn), height);
       for (const Plane& face : faces) ASSERT_LT(glm::dot(face.normal, point), face.distance);
     }
   }

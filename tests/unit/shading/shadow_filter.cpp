@@ -153,8 +153,8 @@ TEST(ShadowFilter, SlopesOutsideTheConeDoNotBlock) {
   EXPECT_TRUE(blocks_light(0.01f, 0.0f, 0.015f));
 }
 
-// Two sheets that hide half of the light each, the far one its left half, the near one its lower half: a quarter is left.
-// Of the near sheet's part only what the far one does not cover is seen, and half of that is lit.
+// Two sheets that hide half of the light each, the far one its left half, the near one its lower half: a quarter is
+// left. Of the near sheet's part only what the far one does not cover is seen, and half of that is lit.
 TEST(ShadowFilter, RaysPassBothLayers) {
   LayeredRays rays = no_rays();
   for (int i = 0; i < 16; ++i) {
