@@ -124,7 +124,8 @@ RenderResult Renderer::render(const Job& job) {
         "gives the same picture");
   const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
   const auto view = upload::view_matrices(job.camera, aspect);
-  auto scene = upload::make_scene_tables(tools_.device, job.scene, job.moment, view);
+  auto scene = upload::make_scene_tables(tools_.device, job.scene, job.moment, view,
+                                         static_cast<std::size_t>(request.settings.forward.sorted_triangles));
   scene.texture_lod_bias = -std::min(0.5f * std::log2(static_cast<float>(request.settings.frame.spp)), kMaxSharpening);
 
   const auto [settings, note] = fit_shadows(scene, view, request);

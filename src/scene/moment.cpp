@@ -192,6 +192,11 @@ std::vector<bool> moving_nodes(const Scene& scene) {
   return moving;
 }
 
+const std::vector<glm::vec3>& positions_of(const Scene& scene, const Moment& moment, const Instance& instance) {
+  return instance.deformed == kNone ? scene.primitives[instance.primitive].vertices.positions
+                                    : moment.deformed[static_cast<std::size_t>(instance.deformed)].positions;
+}
+
 Moment moment_at(const Scene& scene, float time_s, const std::string& animation) {
   return MomentBuilder(scene, poses_at(scene, time_s, animation)).build();
 }

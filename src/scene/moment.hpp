@@ -38,6 +38,10 @@ struct Moment {
   Aabb bounds;                                    // world space, of everything drawn; empty where nothing is
 };
 
+// Of an instance's vertices, object space.
+[[nodiscard]] const std::vector<glm::vec3>& positions_of(const Scene& scene, const Moment& moment,
+                                                         const Instance& instance);
+
 // `animation`: a name, an index, "all", "none" (the pose of the nodes themselves), or empty for the first. Times
 // outside a sampler clamp to its ends. Throws Error(usage) where no animation has that name, listing those there are.
 [[nodiscard]] Moment moment_at(const Scene& scene, float time_s, const std::string& animation);

@@ -1,5 +1,6 @@
 #include "upload/draws.hpp"
 
+#include "core/jobs.hpp"
 #include "upload/materials.hpp"
 
 #include <glm/geometric.hpp>
@@ -13,9 +14,12 @@ namespace {
 struct Candidate {
   const scene::Instance* instance;
   std::uint32_t material;
-  double distance2;  // of the bounds' centre from the eye, square metres
-  bool joins;        // may it share a draw with a neighbour of the same state?
-  auto state() const { return std::tuple(instance->primitive, instance->deformed, material, instance->mirrored); }
+  double farness;                            // of the bounds' centre: Viewpoint
+  bool joins;                                // may it share a draw with a neighbour of the same state?
+  std::int32_t first_sorted = scene::kNone;  // Draw's
+  auto state() const {
+    return std::tuple(instance->primitive, instance->deformed, material, instance->mirrored, first_sorted);
+  }
 };
 
 // Appends a draw for each run of candidates that share their state.
@@ -29,19 +33,49 @@ void add_draws(const std::vector<Candidate>& candidates, const glm::dvec3& eye, 
       continue;
     }
     draws.push_back({c.instance->primitive, c.instance->deformed, c.material,
-                     static_cast<std::uint32_t>(objects.size() - 1), 1, c.instance->mirrored});
+                     static_cast<std::uint32_t>(objects.size() - 1), 1, c.instance->mirrored, c.first_sorted});
   }
+}
+
+// Gives the nearest objects room in the sorted indices, as far as the budget goes, and returns how many indices they
+// have. A single quad has no order worth finding, and many of them may be one draw.
+std::size_t choose_sorted(const scene::Scene& scene, std::vector<Candidate>& blended, std::size_t triangle_budget) {
+  constexpr std::size_t kQuad = 6;
+  std::size_t used = 0;
+  for (auto candidate = blended.rbegin(); candidate != blended.rend(); ++candidate) {
+    const auto& primitive = scene.primitives[candidate->instance->primitive];
+    const std::size_t count = primitive.indices.size();
+    if (primitive.topology != scene::Topology::triangles || count <= kQuad || used + count > 3 * triangle_budget)
+      continue;
+    candidate->first_sorted = static_cast<std::int32_t>(used);
+    used += count;
+  }
+  return used;
+}
+
+std::vector<std::uint32_t> sort_triangles(const scene::Scene& scene, const scene::Moment& moment, const Viewpoint& view,
+                                          const std::vector<Candidate>& blended, std::size_t index_count) {
+  std::vector<std::uint32_t> all(index_count);
+  parallel_for(blended.size(), [&](std::size_t i) {
+    if (blended[i].first_sorted == scene::kNone) return;
+    const auto& instance = *blended[i].instance;
+    const auto& primitive = scene.primitives[instance.primitive];
+    const auto sorted =
+        far_to_near(primitive.indices, scene::positions_of(scene, moment, instance), instance.world_from_object, view);
+    std::copy(sorted.begin(), sorted.end(), all.begin() + blended[i].first_sorted);
+  });
+  return all;
 }
 
 // Near to far overall, so that hidden surfaces are not shaded, but all instances of one state beside each other:
 // a state stands where its nearest instance does.
 void sort_opaque(std::vector<Candidate>& candidates) {
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return std::tuple(a.state(), a.distance2) < std::tuple(b.state(), b.distance2);
+    return std::tuple(a.state(), a.farness) < std::tuple(b.state(), b.farness);
   });
   std::vector<double> nearest(candidates.size());
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    nearest[i] = i > 0 && candidates[i - 1].state() == candidates[i].state() ? nearest[i - 1] : candidates[i].distance2;
+    nearest[i] = i > 0 && candidates[i - 1].state() == candidates[i].state() ? nearest[i - 1] : candidates[i].farness;
   std::vector<std::size_t> order(candidates.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return nearest[a] < nearest[b]; });
@@ -78,25 +112,27 @@ bool overlaps(std::span<const glm::dvec4> planes, const scene::Aabb& box) {
 }
 
 DrawList make_draw_list(const scene::Scene& scene, const scene::Moment& moment, const Frustum& frustum,
-                        const glm::dvec3& eye) {
+                        const Viewpoint& view, std::size_t sorted_triangles) {
   std::vector<Candidate> opaque, blended;
   for (const auto& instance : moment.instances) {
     if (instance.bounds.empty() || !overlaps(frustum, instance.bounds)) continue;
     const std::int32_t material = scene.primitives[instance.primitive].material;
-    const glm::dvec3 center = 0.5 * (glm::dvec3(instance.bounds.min) + glm::dvec3(instance.bounds.max)) - eye;
+    const glm::dvec3 center = 0.5 * (glm::dvec3(instance.bounds.min) + glm::dvec3(instance.bounds.max)) - view.eye;
     const auto& surface = material_or_default(scene, material);
     const bool blend = surface.alpha_mode == scene::AlphaMode::blend;
-    // Double-sided blended surfaces are drawn one by one: far side, then near side.
+    // Of double-sided blended surfaces that are not sorted, each is drawn by itself: far side, then near side.
     (blend ? blended : opaque)
         .push_back(
-            {&instance, material_index(scene, material), glm::dot(center, center), !(blend && surface.double_sided)});
+            {&instance, material_index(scene, material), view.farness(center), !(blend && surface.double_sided)});
   }
   sort_opaque(opaque);
   std::stable_sort(blended.begin(), blended.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.distance2 > b.distance2; });
+                   [](const Candidate& a, const Candidate& b) { return a.farness > b.farness; });
   DrawList list;
-  add_draws(opaque, eye, list.objects, list.opaque);
-  add_draws(blended, eye, list.objects, list.blended);
+  const std::size_t sorted_count = choose_sorted(scene, blended, sorted_triangles);
+  list.sorted_indices = sort_triangles(scene, moment, view, blended, sorted_count);
+  add_draws(opaque, view.eye, list.objects, list.opaque);
+  add_draws(blended, view.eye, list.objects, list.blended);
   return list;
 }
 

@@ -2,6 +2,7 @@
 
 #include "scene/moment.hpp"
 #include "upload/gpu_structs.hpp"
+#include "upload/triangle_order.hpp"
 
 #include <array>
 #include <span>
@@ -16,13 +17,16 @@ struct Draw {
   std::uint32_t material = 0;  // into gpu_materials()
   std::uint32_t first_object = 0, object_count = 1;
   bool mirrored = false;
+  std::int32_t first_sorted =
+      scene::kNone;  // into DrawList::sorted_indices, of all of the primitive's; kNone: unsorted
 };
 
 // What a camera sees of a moment, ready to be drawn.
 struct DrawList {
-  std::vector<ObjectData> objects;  // by gl_InstanceIndex
-  std::vector<Draw> opaque;         // OPAQUE and MASK: by state, then near to far
-  std::vector<Draw> blended;        // BLEND: far to near
+  std::vector<ObjectData> objects;            // by gl_InstanceIndex
+  std::vector<Draw> opaque;                   // OPAQUE and MASK: by state, then near to far
+  std::vector<Draw> blended;                  // BLEND: far to near
+  std::vector<std::uint32_t> sorted_indices;  // of blended draws whose triangles are drawn far to near
 };
 
 // Planes of a view volume, world space, xyz inward normal; a point is inside where dot(n, p) + w >= 0 for all.
@@ -38,8 +42,8 @@ using Frustum = std::array<glm::dvec4, 5>;  // left, right, lower, upper, near
 [[nodiscard]] ObjectData object_data(const scene::Instance& instance, const glm::dvec3& eye);
 
 // Drops what is outside the frustum, sorts, joins neighbours that differ in their matrix alone, and makes matrices
-// relative to the eye.
+// relative to the eye. Of blended surfaces up to `sorted_triangles` are sorted one by one, the nearest objects first.
 [[nodiscard]] DrawList make_draw_list(const scene::Scene& scene, const scene::Moment& moment, const Frustum& frustum,
-                                      const glm::dvec3& eye);
+                                      const Viewpoint& view, std::size_t sorted_triangles);
 
 }  // namespace velarium::upload

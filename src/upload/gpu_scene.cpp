@@ -92,11 +92,20 @@ void GpuScene::bind_vertices(VkCommandBuffer commands, bool deformed) const {
   vkCmdBindIndexBuffer(commands, indices_.vk(), 0, VK_INDEX_TYPE_UINT32);
 }
 
+std::int32_t GpuScene::first_vertex(const Draw& draw) const {
+  return draw.deformed == scene::kNone ? ranges_[draw.primitive].first_vertex
+                                       : deformed_first_[static_cast<std::size_t>(draw.deformed)];
+}
+
 void GpuScene::draw(VkCommandBuffer commands, const Draw& draw) const {
   const auto& range = ranges_[draw.primitive];
-  const std::int32_t first_vertex =
-      draw.deformed == scene::kNone ? range.first_vertex : deformed_first_[static_cast<std::size_t>(draw.deformed)];
-  vkCmdDrawIndexed(commands, range.index_count, draw.object_count, range.first_index, first_vertex, draw.first_object);
+  vkCmdDrawIndexed(commands, range.index_count, draw.object_count, range.first_index, first_vertex(draw),
+                   draw.first_object);
+}
+
+void GpuScene::draw_sorted(VkCommandBuffer commands, const Draw& draw) const {
+  vkCmdDrawIndexed(commands, ranges_[draw.primitive].index_count, 1, static_cast<std::uint32_t>(draw.first_sorted),
+                   first_vertex(draw), draw.first_object);
 }
 
 gpu::Bindings material_bindings(gpu::SamplerCache& samplers, const SceneTables& tables, std::uint32_t material) {

@@ -34,6 +34,8 @@ class GpuScene {
   // Binds the vertex streams (the shared ones, or the deformed ones) and the indices.
   void bind_vertices(VkCommandBuffer commands, bool deformed) const;
   void draw(VkCommandBuffer commands, const Draw& draw) const;
+  // Of a draw whose triangles are sorted, with SceneTables::sorted_indices bound in place of the scene's.
+  void draw_sorted(VkCommandBuffer commands, const Draw& draw) const;
 
  private:
   struct Range {
@@ -44,6 +46,7 @@ class GpuScene {
     gpu::Buffer positions, attributes;
   };
   void upload_geometry();
+  [[nodiscard]] std::int32_t first_vertex(const Draw& draw) const;
 
   gpu::Device& device_;
   const scene::Scene& scene_;
@@ -62,6 +65,7 @@ struct SceneTables {
   const GpuScene* gpu = nullptr;
   DrawList draws;
   gpu::Buffer objects;         // ObjectData
+  gpu::Buffer sorted_indices;  // DrawList's; null where no draw is sorted
   CasterTable casters;         // empty where no light casts shadows
   gpu::Buffer caster_objects;  // ObjectData
   std::vector<GpuLight> host_lights;

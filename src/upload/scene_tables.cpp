@@ -29,6 +29,12 @@ glm::dmat4 clip_from_world(const ViewMatrices& view) {
   return glm::dmat4(view.clip_from_view) * view_from_world;
 }
 
+Viewpoint viewpoint(const ViewMatrices& view) {
+  const bool perspective = view.clip_from_view[3][3] == 0.0f;
+  const glm::dvec3 backward(glm::transpose(view.view_from_world)[2]);
+  return {.eye = view.eye, .backward = perspective ? glm::dvec3(0.0) : backward};
+}
+
 // Solves the projection for depth and for x, y: the forms that shading/depth.glsl takes.
 glm::vec4 depth_params(const glm::mat4& p) {
   return {p[3][2], -p[3][3], p[2][2], -p[2][3]};
@@ -49,10 +55,13 @@ ViewMatrices view_matrices(const scene::CameraInstance& camera, float aspect) {
 }
 
 SceneTables make_scene_tables(gpu::Device& device, const GpuScene& scene, const scene::Moment& moment,
-                              const ViewMatrices& view) {
+                              const ViewMatrices& view, std::size_t sorted_triangles) {
   SceneTables tables{.gpu = &scene};
-  tables.draws = make_draw_list(scene.scene(), moment, frustum_of(clip_from_world(view)), view.eye);
+  tables.draws =
+      make_draw_list(scene.scene(), moment, frustum_of(clip_from_world(view)), viewpoint(view), sorted_triangles);
   tables.objects = make_buffer(device, tables.draws.objects, kStorage);
+  if (!tables.draws.sorted_indices.empty())
+    tables.sorted_indices = make_buffer(device, tables.draws.sorted_indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
   auto lights = gpu_lights(shining(moment.lights), view.eye, scene.projectors().pictures);
   if (lights.size() > kMaxLights)
     throw Error(ErrorCode::unsupported, scene.scene().source,

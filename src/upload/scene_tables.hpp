@@ -14,9 +14,9 @@ struct ViewMatrices {
 [[nodiscard]] ViewMatrices view_matrices(const scene::CameraInstance& camera, float aspect);
 
 // Everything that a moment looks like from this view. Lights that shine on nothing (no intensity) are left out.
-// Throws Error(unsupported) for more than kMaxLights lights.
+// `sorted_triangles`: make_draw_list. Throws Error(unsupported) for more than kMaxLights lights.
 [[nodiscard]] SceneTables make_scene_tables(gpu::Device& device, const GpuScene& scene, const scene::Moment& moment,
-                                            const ViewMatrices& view);
+                                            const ViewMatrices& view, std::size_t sorted_triangles);
 
 // The parts of FrameUniforms that follow from the camera; `jitter`: offset of the sampled point from
 // the pixel's centre, in pixels.

@@ -40,15 +40,23 @@ void bind_frame(graph::Context& c, const gpu::Pipeline& pipeline, const Inputs& 
   shared.bind();
 }
 
-// A double-sided surface shows its far side through its near one: back faces first.
-void draw_sides(graph::Context& c, const Inputs& in, const upload::Draw& draw, bool double_sided) {
-  const auto& gpu_scene = *in.shading.scene.gpu;
-  if (double_sided) {
+void draw_one(graph::Context& c, const upload::SceneTables& tables, const upload::Draw& draw,
+              const scene::Material& material) {
+  const auto& scene = *tables.gpu;
+  scene.bind_vertices(c.commands(), draw.deformed != scene::kNone);
+  if (draw.first_sorted != scene::kNone) {
+    vkCmdBindIndexBuffer(c.commands(), tables.sorted_indices.vk(), 0, VK_INDEX_TYPE_UINT32);
+    upload::set_facing(c.commands(), draw, upload::cull_mode(material));
+    scene.draw_sorted(c.commands(), draw);
+    return;
+  }
+  // Without an order, the best guess is a closed body: it shows its far side through its near one.
+  if (material.double_sided) {
     upload::set_facing(c.commands(), draw, VK_CULL_MODE_FRONT_BIT);
-    gpu_scene.draw(c.commands(), draw);
+    scene.draw(c.commands(), draw);
   }
   upload::set_facing(c.commands(), draw, VK_CULL_MODE_BACK_BIT);
-  gpu_scene.draw(c.commands(), draw);
+  scene.draw(c.commands(), draw);
 }
 
 void draw_all(graph::Context& c, const Inputs& in) {
@@ -64,9 +72,8 @@ void draw_all(graph::Context& c, const Inputs& in) {
     if (&pipeline != bound) bind_frame(c, pipeline, in);
     bound = &pipeline;
     c.bind_set(pipeline, 2, upload::material_bindings(c.tools().samplers, tables, draw.material));
-    tables.gpu->bind_vertices(c.commands(), draw.deformed != scene::kNone);
     vkCmdSetStencilReference(c.commands(), VK_STENCIL_FACE_FRONT_AND_BACK, 0);
-    draw_sides(c, in, draw, material.double_sided);
+    draw_one(c, tables, draw, material);
   }
 }
 

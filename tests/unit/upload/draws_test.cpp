@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace velarium::upload {
 namespace {
@@ -39,12 +40,13 @@ class Draws : public ::testing::Test {
     moment_.instances.push_back(instance);
   }
   [[nodiscard]] DrawList list(const Frustum& frustum = everything()) const {
-    return make_draw_list(scene_, moment_, frustum, glm::dvec3(0.0));
+    return make_draw_list(scene_, moment_, frustum, Viewpoint{}, sorted_triangles_);
   }
 
   static constexpr std::uint32_t kSolid = 0, kGlass = 1, kDoubleGlass = 2;
   scene::Scene scene_;
   scene::Moment moment_;
+  std::size_t sorted_triangles_ = 1000;
 };
 
 TEST_F(Draws, ManyInstancesOfOneMeshAreOneDraw) {
@@ -88,6 +90,50 @@ TEST_F(Draws, BlendedSurfacesAreNotReorderedToJoin) {
   ASSERT_EQ(list.blended.size(), 3u);
   EXPECT_EQ(list.blended[0].primitive, kGlass);
   EXPECT_EQ(list.blended[1].primitive, kDoubleGlass);
+}
+
+// Three triangles, at these distances from the eye.
+scene::Primitive three_triangles(std::int32_t material, const std::array<float, 3>& distances) {
+  scene::Primitive primitive;
+  primitive.material = material;
+  for (const float z : distances)
+    for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1)}) {
+      primitive.indices.push_back(static_cast<std::uint32_t>(primitive.indices.size()));
+      primitive.vertices.positions.emplace_back(corner.x, corner.y, -z);
+    }
+  return primitive;
+}
+
+TEST_F(Draws, TrianglesOfBlendedSurfacesAreDrawnFarToNear) {
+  scene_.primitives.push_back(three_triangles(kDoubleGlass, {1, 3, 2}));
+  add(3, {0.0f, 0.0f, 0.0f});
+  add(3, {0.0f, 0.0f, -5.0f});
+  const DrawList list = this->list();
+  ASSERT_EQ(list.blended.size(), 2u);
+  ASSERT_EQ(list.sorted_indices.size(), 18u);
+  for (const auto& draw : list.blended) {
+    const auto* sorted = &list.sorted_indices[static_cast<std::size_t>(draw.first_sorted)];
+    EXPECT_EQ(std::vector(sorted, sorted + 9), (std::vector<std::uint32_t>{3, 4, 5, 6, 7, 8, 0, 1, 2}));
+  }
+}
+
+TEST_F(Draws, TheNearestAreSortedWhereThereAreTooMany) {
+  scene_.primitives.push_back(three_triangles(kGlass, {1, 3, 2}));
+  for (const float z : {-9.0f, -1.0f, -5.0f, -7.0f}) add(3, {0.0f, 0.0f, z});
+  sorted_triangles_ = 7;
+  const DrawList list = this->list();
+  ASSERT_EQ(list.blended.size(), 3u);  // of the unsorted ones one
+  EXPECT_EQ(list.blended[0].object_count, 2u);
+  EXPECT_EQ(list.blended[0].first_sorted, scene::kNone);
+  EXPECT_NE(list.blended[1].first_sorted, scene::kNone);
+  EXPECT_NE(list.blended[2].first_sorted, list.blended[1].first_sorted);
+  EXPECT_EQ(list.sorted_indices.size(), 18u);
+}
+
+TEST_F(Draws, OpaqueSurfacesAreNotSorted) {
+  scene_.primitives.push_back(three_triangles(kSolid, {1, 3, 2}));
+  add(3, {0.0f, 0.0f, 0.0f});
+  EXPECT_TRUE(list().sorted_indices.empty());
 }
 
 TEST_F(Draws, WhatTheFrustumMissesIsNotDrawn) {
