@@ -13,8 +13,13 @@
 // have six as points do: towards 90 degrees one view would spend nearly all of its texels on the rim.
 const float kOneViewCosine = 0.5f;
 
-// The widest filter, in tangents: blockers whose penumbra is wider, seen from the light, cast this one.
-const float kWidestKernel = 0.25f;
+// The widest filter, as a share of the view's own half width: blockers whose penumbra is wider, seen from the light, cast
+// this one. Wider views spend most of their texels beyond what they serve.
+const float kWidestKernel = 1.0f;
+// Filters are wider than the penumbra of the nearest caster, so that searches find edges that end beside it.
+const float kKernelMargin = 1.5f;
+// A kernel is rounded up to a multiple of this: what rounding does to places is no reason to draw a map again.
+const float kKernelStep = 1.0f / 16.0f;
 
 // Texels that comparisons reach to beyond the place they are made at: one of the bilinear filter, half of rounding.
 const float kShadowBorder = 1.5f;
@@ -52,8 +57,12 @@ FN float widened_tangent(float half_tangent, float kernel, float size) {
   return (half_tangent + kernel) / (1.0f - 2.0f * kShadowBorder / size);
 }
 
-FN float widest_kernel(float half_tangent, float light_radius) {
-  return light_radius > 0.0f ? min(kWidestKernel, 0.5f * half_tangent) : 0.0f;
+// The widest filter of a view, tangents. nearest: distance from the light to its nearest caster, > 0; a blocker there
+// casts, seen from the light, a penumbra of light_radius / nearest at most.
+FN float widest_kernel(float half_tangent, float light_radius, float nearest) {
+  require(nearest > 0.0f);
+  float wanted = kKernelStep * ceil(kKernelMargin * light_radius / nearest / kKernelStep);
+  return min(wanted, kWidestKernel * half_tangent);
 }
 
 // log2 of the texels a side that a view deserves which lights `pixels` of the picture: as many texels as pixels, times

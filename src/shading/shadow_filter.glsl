@@ -43,6 +43,14 @@ FN float search_tap_radius(uint i, uint n, float inner, float outer) {
   return inner + (outer - inner) * ((i & 1u) == 0u ? sqrt(x) : x * x);
 }
 
+// The same for lamps, whose nearest casters may throw penumbrae far wider than the usual ones: where `widest` is larger than
+// `usual`, every other tap goes on from the rim of the usual disc to the widest one, evenly by radius. 0 < usual <= widest.
+FN float wide_search_tap_radius(uint i, uint n, float usual, float widest) {
+  require(i < n && usual <= widest);
+  float x = (float(i) + 0.5f) / float(n);
+  return (i & 1u) == 0u ? max(usual * sqrt(x), widest * x) : usual * x * x;
+}
+
 // May a blocker hide a part of the light? It stands `offset` beside the way from the receiver to the light's middle;
 // at its distance the light's cone has the radius `cone`. Without this test a wide search blurs what touches the
 // ground, and finds the receiver's own slope. slack: what the map cannot resolve, about a texel and a half.

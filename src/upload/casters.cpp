@@ -99,7 +99,9 @@ CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment,
                         .material = material_index(scene, primitive.material),
                         .mirrored = instance.mirrored},
                        kind_of(material.alpha_mode),
-                       instance.deformed != scene::kNone || moving[instance.node]},
+                       instance.deformed != scene::kNone || moving[instance.node],
+                       primitive.indices,
+                       positions_of(scene, moment, instance)},
                       &instance});
   }
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {

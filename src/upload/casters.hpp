@@ -18,7 +18,9 @@ struct Caster {
   scene::Aabb bounds;  // world space
   Draw draw;           // of this instance alone
   CasterKind kind = CasterKind::opaque;
-  bool moves = false;  // may it stand or look otherwise at another time?
+  bool moves = false;                      // may it stand or look otherwise at another time?
+  std::span<const std::uint32_t> indices;  // of its triangles, and
+  std::span<const glm::vec3> positions;    // object space; owned by the scene or the moment
 };
 
 enum class CasterChoice : std::uint8_t { all, still };  // still: those that never move
@@ -30,6 +32,7 @@ struct CasterTable {
   std::vector<ObjectData> objects;  // the same order; relative to the eye
 };
 
+// The scene and the moment must outlive the table.
 [[nodiscard]] CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& eye);
 
 // World space; empty where there are none.

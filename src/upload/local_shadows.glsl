@@ -18,9 +18,9 @@ layout(constant_id = 7) const uint kLocalShadows = 0u;
 // enough on lavapipe; SwiftShader, whose vertices snap to 1/16 of a texel, needs four times that.
 const float kStoredDepthError = 1e-3;
 
-// Blockers in the fifth of the way that is nearest to the light cast the penumbra of one that stands at its end: to
-// look for them would spread all taps over a wide disc.
-const float kSearchReach = 4.0;
+// Blockers in the fifth of the way that is nearest to the light cast penumbrae wider than this, in radii of the light; few
+// taps look for them.
+const float kUsualPenumbra = 4.0;
 
 // A receiver as one view sees it.
 struct ShadowReceiver {
@@ -29,7 +29,8 @@ struct ShadowReceiver {
   float depth;        // as it is stored in the atlas
   float view_depth;   // along the view's axis, metres
   mat2 uv_from_m;     // how the place in the atlas moves by a metre across the way of light
-  float widest_m;     // of filters
+  float usual_m;      // radii of filters, metres: beyond this one few taps look for blockers,
+  float widest_m;     // beyond this one none
   vec2 slope;         // how the depth of the receiver's own plane rises towards the light, by a metre across the way of light
 };
 
@@ -50,6 +51,7 @@ ShadowReceiver shadow_receiver(ShadowView view, vec3 from_light) {
   r.uv = shadow_view_uv(view, from_light, r.view_depth);
   r.depth = view.forward.w / r.view_depth * (1.0 + kStoredDepthError);
   r.uv_from_m = mat2(0.0);
+  r.usual_m = 0.0;
   r.widest_m = 0.0;
   r.slope = vec2(0.0);
   return r;
@@ -70,8 +72,8 @@ ShadowReceiver soft_receiver(ShadowReceiver hard, vec3 from_light, vec3 face_nor
                                        view.down.xyz - off_axis.y * view.forward.xyz));
   r.uv_from_m = uv_from_ws * mat2x3(across, along) / r.view_depth;
   // A turn of the direction moves a tangent by 1 / cos^2 of its angle to the axis.
-  float in_tile_m = view.tile.y * r.view_depth * r.view_depth / distance;
-  r.widest_m = min(in_tile_m, kSearchReach * light_radius);
+  r.widest_m = view.tile.y * r.view_depth * r.view_depth / distance;
+  r.usual_m = min(r.widest_m, kUsualPenumbra * light_radius);
   // Stored depth is linear in tangents on every plane.
   float towards = dot(face_normal, from_light);
   float grazing = max(abs(towards), kLeastGrazing * distance) * (towards < 0.0 ? -1.0 : 1.0);
@@ -91,14 +93,14 @@ struct LocalBlockers {
 
 // Where what tap i of the search sees stands; 1: it is no blocker.
 float blocker_share(ShadowReceiver r, uint i, vec2 direction) {
-  vec2 offset_m = direction * search_tap_radius(i, kLocalShadows, 0.0, r.widest_m);
+  vec2 offset_m = direction * wide_search_tap_radius(i, kLocalShadows, r.usual_m, r.widest_m);
   float stored = textureLod(shadow_atlas, clamp_to_tile(r.view, r.uv + r.uv_from_m * offset_m), 0.0).r;
   return stored > receiver_depth(r, offset_m) ? r.depth / stored : 1.0;
 }
 
 // Does a blocker that tap i has found stand within the light's cone, `width` times as wide?
 bool stands_in_cone(ShadowReceiver r, float light_radius, uint i, float share, float width) {
-  float radius_m = search_tap_radius(i, kLocalShadows, 0.0, r.widest_m);
+  float radius_m = wide_search_tap_radius(i, kLocalShadows, r.usual_m, r.widest_m);
   float texel_m = r.view.tile.z * r.view_depth;
   return blocks_light(share * radius_m, width * (1.0 - share) * light_radius, share * kShadowBorder * texel_m);
 }
@@ -151,16 +153,17 @@ LocalLayers layers_of(ShadowReceiver r, LocalBlockers found, float light_radius,
   return layers;
 }
 
+// Of blockers at this share of the way, as a share of the usual one; up to that of the widest.
 float penumbra_ratio_local(ShadowReceiver r, float light_radius, float share) {
-  return clamp(penumbra_radius_local(1.0, share, light_radius) / r.widest_m, 0.0, 1.0);
+  return min(penumbra_radius_local(1.0, share, light_radius), r.widest_m) / r.usual_m;
 }
 
 float layered_visibility(ShadowReceiver r, LocalLayers layers, float light_radius, float noise) {
   float far_rho = penumbra_ratio_local(r, light_radius, layers.shares.y);
   float near_rho = penumbra_ratio_local(r, light_radius, layers.shares.x);
   float far_depth = r.depth / max(layers.split, 1e-6);
-  uint taps = reduced_tap_count(far_rho, kLocalShadows);
-  float scale = reduced_tap_scale(1.0, taps, kLocalShadows) * r.widest_m;
+  uint taps = reduced_tap_count(min(far_rho, 1.0), kLocalShadows);
+  float scale = reduced_tap_scale(1.0, taps, kLocalShadows) * r.usual_m;
   LayeredRays rays = no_rays();
   vec2 direction = first_tap_direction(noise);
   for (uint i = 0u; i < taps; ++i) {

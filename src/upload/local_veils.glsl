@@ -23,7 +23,7 @@ vec4 find_local_veils(ShadowReceiver r, float light_radius, float noise) {
   float texel_m = r.view.tile.z * r.view_depth;
   vec2 direction = first_tap_direction(noise);
   for (uint i = 0u; i < kLocalVeilTaps; ++i) {
-    float radius_m = search_tap_radius(i, kLocalVeilTaps, 0.0, r.widest_m);
+    float radius_m = wide_search_tap_radius(i, kLocalVeilTaps, r.usual_m, r.widest_m);
     vec2 offset_m = direction * radius_m;
     vec4 veil = local_veil(r, offset_m);
     float depth = receiver_depth(r, offset_m), share = veil.a > depth ? r.depth / veil.a : 1.0;
@@ -39,9 +39,9 @@ vec4 find_local_veils(ShadowReceiver r, float light_radius, float noise) {
 vec3 soft_local_transmittance(ShadowReceiver r, float light_radius, float noise) {
   vec4 found = find_local_veils(r, light_radius, noise);
   if (found.a == 1.0) return vec3(1.0);
-  float rho = clamp(penumbra_radius_local(1.0, found.a, light_radius) / r.widest_m, 0.0, 1.0);
-  uint taps = reduced_tap_count(rho, kLocalVeilTaps);
-  float scale = reduced_tap_scale(rho, taps, kLocalVeilTaps) * r.widest_m;
+  float rho = penumbra_ratio_local(r, light_radius, found.a);
+  uint taps = reduced_tap_count(min(rho, 1.0), kLocalVeilTaps);
+  float scale = reduced_tap_scale(rho, taps, kLocalVeilTaps) * r.usual_m;
   vec4 sum = kUnseenVeilWeight * vec4(found.rgb, 1.0);
   vec2 direction = first_tap_direction(noise);
   for (uint i = 0u; i < taps; ++i) {

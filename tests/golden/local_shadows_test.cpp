@@ -101,6 +101,19 @@ TEST(LocalShadows, PenumbraeAreThePathTracers) {
   EXPECT_LT(flip_of(lamp("spot", 0.1f)), 0.03);
 }
 
+// A plate under a lamp whose penumbra is wider than the plate is high above the floor, as that of a torch's cup.
+TEST(LocalShadows, WhatStandsRightBesideABulbHasAWidePenumbra) {
+  GltfWriter scene;
+  const int grey = scene.add_material({.base_color = {0.7f, 0.7f, 0.7f, 1}});
+  scene.add_quad(grey, {0, 0, 0}, {0, 1, 0}, {12, 12});
+  scene.add_box(grey, {0, 1.85f, 0}, {0.16f, 0.02f, 0.16f});
+  scene.add_box(grey, {1.0f, 0.3f, 0.0f}, {0.3f, 0.6f, 0.3f});
+  TestLight light = lamp("point", 0.08f);
+  light.position = {0, 2, 0};
+  scene.add_light(light);
+  EXPECT_LT(flip_to_truth(scene.load(), request()), 0.06);  // 0.15 with the widest filter a quarter of this one
+}
+
 TEST(LocalShadows, ShadowsGoOnAcrossTheFacesOfAPoint) {
   GltfWriter scene = room();
   const int grey = scene.add_material({.base_color = {0.7f, 0.7f, 0.7f, 1}});

@@ -1,5 +1,6 @@
 #include "passes/local_shadows/views.hpp"
 
+#include "passes/local_shadows/nearest_caster.hpp"
 #include "shading/host.hpp"
 
 #include <glm/common.hpp>
@@ -162,6 +163,16 @@ VeilBounds veil_bounds(const View& view, const std::vector<scene::Aabb>& boxes) 
   return bounds;
 }
 
+// Casters farther away than the least kernel serves need not be found.
+float kernel_of(const GpuLight& light, const View& view, const Surroundings& around) {
+  const float radius = light.color.w;
+  if (radius == 0.0f) return 0.0f;
+  const double far = static_cast<double>(shading::kKernelMargin * radius / shading::kKernelStep);
+  const double nearest = nearest_caster(around.casters, around.viewer.view.eye, view.position, view.near,
+                                        std::max(far, view.near), around.translucent);
+  return shading::widest_kernel(static_cast<float>(view.half_tangent), radius, static_cast<float>(nearest));
+}
+
 void add_views(const GpuLight& light, std::uint32_t index, const Surroundings& around, std::vector<View>& views) {
   const dvec3 position(glm::vec3(light.position_range));
   const double reach =
@@ -176,7 +187,8 @@ void add_views(const GpuLight& light, std::uint32_t index, const Surroundings& a
             // What stands within a bulb, as the flame of a torch, hides nothing of it.
             .near = std::min(std::max(std::min(kNear, kNearShare * reach), radius), 0.5 * reach),
             .reach = reach,
-            .kernel = shading::widest_kernel(static_cast<float>(half_tangent), light.color.w)};
+            .kernel = 0.0f};
+  view.kernel = kernel_of(light, view, around);
   const std::size_t first = views.size();
   double pixels = 0.0;
   for (view.face = 0; view.face < view_count(light); ++view.face) {

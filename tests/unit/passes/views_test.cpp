@@ -278,5 +278,23 @@ TEST(ShadowPlan, ALightWithoutRoomShinesThrough) {
   EXPECT_EQ(plan.views.size(), 60u);
 }
 
+// A lamp of 0.1 m, two metres above a floor.
+View over_floor(const upload::CasterTable& table) {
+  GpuLight lamp = point({0, 0, -10});
+  lamp.color.w = 0.1f;
+  return views_of(lamp, table).front();
+}
+
+// The kernel is a sixteenth or a multiple of it, half as wide again as R / distance at least.
+TEST(ShadowViews, FiltersAreAsWideAsTheNearestCastersPenumbra) {
+  EXPECT_EQ(over_floor(casters({{{-5, -3, -15}, {5, -2, -5}}})).kernel, 2.0f / 16.0f);     // 0.15 / 2
+  EXPECT_EQ(over_floor(casters({{{-5, -3, -15}, {5, -0.5f, -5}}})).kernel, 5.0f / 16.0f);  // 0.15 / 0.5
+  EXPECT_EQ(over_floor(surroundings()).kernel, 1.0f);                                      // within it
+}
+
+TEST(ShadowViews, PointsNeedNoRoomForFilters) {
+  EXPECT_EQ(views_of(point({0, 0, -10})).front().kernel, 0.0f);
+}
+
 }  // namespace
 }  // namespace velarium::local_shadows

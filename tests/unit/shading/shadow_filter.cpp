@@ -111,6 +111,22 @@ TEST(ShadowFilter, TheSearchLooksAtTheWholeDiscAndMoreAtItsMiddle) {
   EXPECT_EQ(search_tap_radius(3, 8, 0.25f, 0.25f), 0.25f);
 }
 
+TEST(ShadowFilter, AWideSearchIsTheUsualOneWhereNothingIsWider) {
+  for (std::uint32_t i = 0; i < 16; ++i)
+    EXPECT_FLOAT_EQ(wide_search_tap_radius(i, 16, 0.3f, 0.3f), search_tap_radius(i, 16, 0.0f, 0.3f));
+}
+
+// A disc six times as wide as the usual one: half of the taps stay in that, the others go on to the rim in equal steps.
+TEST(ShadowFilter, AWideSearchLeavesHalfOfItsTapsInTheUsualDisc) {
+  int usual = 0;
+  for (std::uint32_t i = 0; i < 32; ++i) usual += wide_search_tap_radius(i, 32, 1.0f, 6.0f) <= 1.0f ? 1 : 0;
+  EXPECT_EQ(usual, 16 + 3);  // (i + 1/2) / 32 < 1/6 of the even ones
+  EXPECT_GT(wide_search_tap_radius(30, 32, 1.0f, 6.0f), 5.5f);
+  for (std::uint32_t i = 4; i < 32; i += 2)
+    EXPECT_NEAR(wide_search_tap_radius(i, 32, 1.0f, 6.0f) - wide_search_tap_radius(i - 2, 32, 1.0f, 6.0f), 0.375f,
+                0.2f);
+}
+
 // The penumbra of a half plane at a distance, by search and filter together: its width is linear in the distance.
 TEST(ShadowFilter, PenumbraeGrowLinearlyWithTheBlockersDistance) {
   const double tangent = 0.00465, max_distance = 100.0, widest = tangent * max_distance;

@@ -70,6 +70,7 @@ TEST(Casters, ThatMoveAreLeftOutWhereStillOnesAreAskedFor) {
   row.scene.animations = {{.channels = {{.node = 1}}}};
   for (int i = 0; i < 3; ++i) row.add(0);
   row.moment.instances[0].deformed = 0;
+  row.moment.deformed.resize(1);
   row.moment.instances[1].node = 1;
   const auto table = make_casters(row.scene, row.moment, {});
   // Both of those at rest in this moment are one draw, that which is deformed another.
