@@ -31,14 +31,20 @@ struct Suite {
 };
 
 const std::array<Suite, 2> kSuites{{
-    {"quick", 640, 360, 6, 2, {"builtin:atrium", "builtin:spheres", "builtin:knots", "builtin:terrain"}},
+    {"quick",
+     640,
+     360,
+     6,
+     2,
+     {"builtin:atrium", "builtin:atrium?sun=off", "builtin:spheres", "builtin:knots", "builtin:terrain"}},
     {"full",
      1920,
      1080,
      16,
      3,
-     {"builtin:atrium", "builtin:atrium?lights=0", "builtin:atrium?lights=256", "builtin:spheres", "builtin:cornell",
-      "builtin:knots", "builtin:knots?instances=4096", "builtin:terrain", "builtin:terrain?triangles=2000000"}},
+     {"builtin:atrium", "builtin:atrium?sun=off", "builtin:atrium?sun=off&lights=0",
+      "builtin:atrium?sun=off&lights=256", "builtin:spheres", "builtin:cornell", "builtin:knots",
+      "builtin:knots?instances=4096", "builtin:terrain", "builtin:terrain?triangles=2000000"}},
 }};
 
 class Bench {

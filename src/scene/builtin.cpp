@@ -40,7 +40,7 @@ constexpr Parameter kAtriumParameters[] = {
      4096,
      "lamps that share the light of the 24 torches; 24 stand at the torches, others spread over the court",
      {}},
-    {"sun", 0, 0, 1, "a low sun, torches as large as their flames, a lantern that throws a pattern", kSwitch}};
+    {"sun", 1, 0, 1, "a low sun, torches as large as their flames, a lantern that throws a pattern", kSwitch}};
 constexpr Parameter kKnotsParameters[] = {
     {"instances", 256, 1, 65536, "copies of one knot, on a disc of one size", {}}};
 constexpr Parameter kTerrainParameters[] = {

@@ -77,7 +77,7 @@ class Usage(CliTest):
         self.assertIn("builtin:spheres", self.expect(OK, "bench", "--list").split())
         self.assertIn("builtin:terrain", self.expect(OK, "bench", "quick", "--list").split())
         self.assertEqual(self.expect(OK, "bench", "--sweep", "lights", "--points", "1,2", "--list").split(),
-                         ["builtin:atrium?lights=1", "builtin:atrium?lights=2"])
+                         ["builtin:atrium?sun=off&lights=1", "builtin:atrium?sun=off&lights=2"])
 
     def test_flags_that_need_others(self):
         self.expect(USAGE, "bench", "--points", "1,2", says="--sweep")

@@ -39,6 +39,7 @@ struct Golden {
 // 256 x 192 pixels, four frames, without dither, whose noise hardly packs; but for what the options say.
 constexpr Golden kGoldens[] = {
     {.name = "atrium", .scene = "builtin:atrium"},
+    {.name = "atrium_torches", .scene = "builtin:atrium?sun=off"},
     {.name = "atrium_pool", .scene = "builtin:atrium", .camera = "pool"},
     {.name = "spheres", .scene = "builtin:spheres"},
     {.name = "spheres_ryse", .scene = "builtin:spheres", .options = "lighting.model=ryse"},

@@ -113,7 +113,7 @@ TEST(Sweep, ResolutionKeepsTheShapeAndFitsPixels) {
 
 TEST(Sweep, GrowthIsOfIntervalsThatEveryPointHas) {
   const auto points = points_of(find_sweep("lights"), {1, 10, 100}, "", 64, 36);
-  EXPECT_EQ(points[2].scene, "builtin:atrium?lights=100");
+  EXPECT_EQ(points[2].scene, "builtin:atrium?sun=off&lights=100");
   const std::vector all{figures("", {{"a", 2, 0}, {"b", 1, 0}, {"idle", 0, 0}}),
                         figures("", {{"a", 20, 0}, {"idle", 0, 0}}),
                         figures("", {{"b", 1, 0}, {"a", 200, 0}, {"idle", 0, 0}})};
