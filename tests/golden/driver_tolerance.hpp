@@ -20,6 +20,7 @@ inline constexpr OtherDrivers kOtherDrivers[] = {
      {.max_error = 16, .share = 0.01},
      "lavapipe filters 8-bit textures in 8 bits, which shows in the normals of the water and of distant walls (half "
      "of the difference goes when it is told not to), and edges are everywhere"},
+    {"atrium_torches", {.max_error = 16, .share = 0.01}, "as atrium"},
     {"atrium_pool", {.max_error = 16, .share = 0.01}, "as atrium"},
     {"bumpy_metal",
      {.max_error = 16, .share = 0.02},
