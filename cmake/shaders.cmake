@@ -1,6 +1,6 @@
 # velarium_shaders(TARGET file...): compiles each `name.stage.glsl` (stage: vert, frag, comp) to SPIR-V for Vulkan 1.3
-# and writes it as a C++ initialiser list to shaders/name.stage.inc, on the target's include path.
-# `file:NAME=DEFINE[,DEFINE]` makes a variant shaders/NAME.inc with those macros.
+# and writes it as a C++ initialiser list to shaders/FOLDER/name.stage.inc, on the target's include path; FOLDER is the
+# file's, as it was named. `file:NAME=DEFINE[,DEFINE]` makes a variant shaders/FOLDER/NAME.inc with those macros.
 function(velarium_shaders target)
   # glslc does not escape spaces in its dependency files: relative names keep the tree's own path out of them.
   # CMake reads them relative to the current binary folder (CMP0116).
@@ -25,7 +25,9 @@ function(velarium_shaders target)
       endforeach()
     endif()
     set(source ${CMAKE_CURRENT_SOURCE_DIR}/${file})
-    set(output ${PROJECT_BINARY_DIR}/generated/shaders/${out}.inc)
+    get_filename_component(folder ${file} DIRECTORY)
+    set(output ${PROJECT_BINARY_DIR}/generated/shaders/${folder}/${out}.inc)
+    set_property(GLOBAL APPEND PROPERTY VELARIUM_SHADERS "${source}|${folder}/${out}")
     file(RELATIVE_PATH relative_source ${CMAKE_CURRENT_BINARY_DIR} ${source})
     file(RELATIVE_PATH relative_output ${CMAKE_CURRENT_BINARY_DIR} ${output})
     add_custom_command(

@@ -17,7 +17,7 @@ MAY_SEE = {
     "shading": set(),
     "image": {"core"},
     "scene": {"image", "core"},
-    "gpu": {"core"},
+    "gpu": {"shading", "core"},
     "graph": {"gpu", "core"},
     "upload": {"scene", "gpu", "shading", "core"},
     "passes": {"graph", "upload", "gpu", "shading", "core"},
@@ -29,6 +29,12 @@ MAY_SEE = {
     "examples": set(),
     "public": set(),
 }
+
+# Of another technique a pass sees what is made to be read: its `read*` and its `*_io` files. Everyone reads the
+# G-buffer; the others are for the hub and for the passes that shade points.
+READ = re.compile(r"(read[a-z_]*|[a-z_]*_io)\.[a-z.]+$")
+SHADING_PASSES = {"lighting", "forward", "light_volumes", "sun_shadow_mask"}
+HUB = re.compile(r"src/passes/illumination\.(hpp|cpp|glsl)$")
 
 SEES_VULKAN = {"gpu"} | {folder for folder, seen in MAY_SEE.items() if "gpu" in seen}
 
@@ -75,6 +81,18 @@ def resolve(root, path, quote, name):
     return None
 
 
+def refused_pass(path, own_pass, target, other_pass):
+    """Why a file of src/passes may not include another one, or None where it may."""
+    if other_pass is None or own_pass == other_pass:
+        return None
+    if not READ.search(target):
+        return "of another technique a pass sees read* and *_io files alone"
+    reads_all = HUB.search(path) or own_pass in SHADING_PASSES
+    if other_pass != "gbuffer" and not reads_all:
+        return "illumination.* and passes that shade are the readers of other techniques"
+    return None
+
+
 def refusal(root, path, quote, name):
     """Why `path` may not include `name`, or None where it may."""
     folder, own_pass = owner(path)
@@ -87,8 +105,10 @@ def refusal(root, path, quote, name):
             return "public headers include the standard library and each other only"
         return None
     seen, other_pass = owner(target)
+    if folder == "gpu" and seen == "shading" and not target.endswith("/lang.glsl"):
+        return "gpu sees lang.glsl of shading alone"
     if seen in (folder, "public"):
-        return "a pass never includes another pass" if own_pass != other_pass and own_pass and other_pass else None
+        return refused_pass(path, own_pass, target, other_pass)
     if seen not in MAY_SEE[folder]:
         return f"{folder} may see {', '.join(sorted(MAY_SEE[folder])) or 'the public headers only'}"
     return None

@@ -43,9 +43,27 @@ class CheckIncludes(unittest.TestCase):
         self.assert_refused({"src/gpu/a.cpp": '// one\n\n  #  include "scene/scene.hpp"\n', "src/scene/scene.hpp": ""},
                             "src/gpu/a.cpp:3")
 
-    def test_a_pass_never_includes_another(self):
-        self.assert_refused({"src/passes/ssdo/ssdo.cpp": '#include "passes/taa/taa.hpp"\n', "src/passes/taa/taa.hpp": ""},
-                            "never includes another pass")
+    def test_of_another_technique_a_pass_sees_what_is_made_to_be_read(self):
+        files = {f"src/passes/probes/{name}": "" for name in ("probes.hpp", "read.hpp", "read.glsl", "probes_io.glsl")}
+        for name in ("read.hpp", "read.glsl", "probes_io.glsl"):
+            include = f'#include "passes/probes/{name}"\n'
+            self.assert_clean(files | {"src/passes/lighting/lighting.cpp": include})
+            self.assert_clean(files | {"src/passes/illumination.glsl": include})
+            self.assert_refused(files | {"src/passes/ssdo/ssdo.cpp": include}, "illumination")
+            self.assert_refused(files | {"src/passes/fullscreen.hpp": include}, "illumination")
+        include = '#include "passes/probes/probes.hpp"\n'
+        for path in ("src/passes/lighting/lighting.cpp", "src/passes/illumination.cpp", "src/passes/ssdo/ssdo.cpp"):
+            self.assert_refused(files | {path: include}, "read*")
+
+    def test_every_pass_reads_the_gbuffer(self):
+        files = {"src/passes/gbuffer/read_depth.glsl": "", "src/passes/gbuffer/gbuffer.hpp": ""}
+        self.assert_clean(files | {"src/passes/ssdo/ssdo.comp.glsl": '#include "passes/gbuffer/read_depth.glsl"\n'})
+        self.assert_refused(files | {"src/passes/ssdo/ssdo.cpp": '#include "passes/gbuffer/gbuffer.hpp"\n'}, "read*")
+
+    def test_gpu_sees_the_language_of_shading_and_none_of_its_maths(self):
+        files = {"src/shading/lang.glsl": "", "src/shading/brdf.glsl": ""}
+        self.assert_clean(files | {"src/gpu/samplers.glsl": '#include "shading/lang.glsl"\n'})
+        self.assert_refused(files | {"src/gpu/samplers.glsl": '#include "shading/brdf.glsl"\n'}, "lang.glsl")
 
     def test_passes_share_what_stands_beside_their_folders(self):
         self.assert_clean({"src/passes/ssdo/ssdo.cpp": '#include "passes/fullscreen.hpp"\n#include "passes/ssdo/ssdo.hpp"\n',

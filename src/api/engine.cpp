@@ -45,7 +45,7 @@ struct Engine::State {
       : device(options.device, options.validation), tools(device), renderer(tools) {}
 
   gpu::Device device;
-  gpu::Toolbox tools;
+  gpu::GpuContext tools;
   frame::Renderer renderer;
   // The last scene and environment stay on the device: programs move cameras more often than they change scenes.
   std::optional<Scene> scene;  // keeps the tables alive that gpu_scene refers to
@@ -53,13 +53,12 @@ struct Engine::State {
   std::string environment_name;
   std::optional<bake::Environment> environment;
 
-  const upload::GpuScene& upload(const Scene& wanted, const scene::Moment& moment) {
+  const upload::GpuScene& upload(const Scene& wanted) {
     if (!scene || &scene->tables() != &wanted.tables()) {
       gpu_scene.reset();
       scene = wanted;
       gpu_scene = std::make_unique<upload::GpuScene>(device, scene->tables());
     }
-    gpu_scene->set_deformed(moment);
     return *gpu_scene;
   }
 
@@ -93,7 +92,7 @@ RenderResult Engine::render(const Scene& scene, const RenderRequest& request) {
   auto moment = scene::moment_at(scene.tables(), request.time_s, request.animation);
   const auto* environment = state_->load_environment(api::environment_choice(scene.tables(), moment, request, notes));
   api::set_lights(request, moment);
-  const auto& gpu_scene = state_->upload(scene, moment);
+  const auto& gpu_scene = state_->upload(scene);
   auto result = state_->renderer.render({gpu_scene, moment, api::camera_of(moment, request), environment, request});
   result.report.notes.insert(result.report.notes.begin(), notes.begin(), notes.end());
   return result;

@@ -73,7 +73,7 @@ std::string cache_name(const gpu::Device& device, const image::FloatImage& equir
 
 }  // namespace
 
-Environment bake_environment(gpu::Toolbox& tools, const image::FloatImage& equirect) {
+Environment bake_environment(gpu::GpuContext& tools, const image::FloatImage& equirect) {
   refuse_too_large(tools.device, equirect);
   const std::vector<std::uint16_t> halves = half_mips(equirect);
   Environment environment{

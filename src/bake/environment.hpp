@@ -4,7 +4,7 @@
 // matt surfaces receive.
 
 #include "gpu/image.hpp"
-#include "gpu/toolbox.hpp"
+#include "gpu/gpu_context.hpp"
 #include "image/image.hpp"
 
 #include <glm/vec4.hpp>
@@ -34,6 +34,6 @@ struct Environment {
 // All but the background is kept on disk, named by the content of the picture. Precondition: values are finite and not
 // negative. Throws Error(input_invalid) where the picture is larger than the device's images, Error(temporary) where
 // the device fails.
-[[nodiscard]] Environment bake_environment(gpu::Toolbox& tools, const image::FloatImage& equirect);
+[[nodiscard]] Environment bake_environment(gpu::GpuContext& tools, const image::FloatImage& equirect);
 
 }  // namespace velarium::bake

@@ -16,14 +16,26 @@
 namespace velarium::bake {
 namespace {
 
+namespace project {
+using namespace shading;
+#include "bake/environment_project_io.glsl"
+}  // namespace project
+namespace mip_io {
+#include "bake/environment_mip_io.glsl"
+}  // namespace mip_io
+namespace prefilter {
+using namespace shading;
+#include "bake/environment_prefilter_io.glsl"
+}  // namespace prefilter
+
 constexpr std::uint32_t kProjectShader[] =
-#include "shaders/environment_project.comp.inc"
+#include "shaders/bake/environment_project.comp.inc"
     ;
 constexpr std::uint32_t kMipShader[] =
-#include "shaders/environment_mip.comp.inc"
+#include "shaders/bake/environment_mip.comp.inc"
     ;
 constexpr std::uint32_t kPrefilterShader[] =
-#include "shaders/environment_prefilter.comp.inc"
+#include "shaders/bake/environment_prefilter.comp.inc"
     ;
 
 constexpr std::uint32_t kFaceSize = 256;
@@ -45,18 +57,20 @@ constexpr std::uint32_t kMostTaps = 9;
 // Records dispatches that each depend on the ones before.
 class Recorder {
  public:
-  Recorder(gpu::Toolbox& tools, VkCommandBuffer commands) : tools_(tools), commands_(commands) {}
+  Recorder(gpu::GpuContext& tools, VkCommandBuffer commands) : tools_(tools), commands_(commands) {}
 
   // `threads` in groups of 64. What earlier dispatches stored is visible. The numbers are pushed: as specialisation
   // constants they would cost the compilation of a pipeline for each level.
-  void dispatch(gpu::Spirv shader, const std::array<std::uint32_t, 2>& numbers, const gpu::Bindings& bindings,
+  void dispatch(gpu::Spirv shader, std::span<const std::byte> numbers, const gpu::Bindings& bindings,
                 std::uint32_t threads) const {
     const auto& pipeline = tools_.pipelines.compute(shader);
     const VkDescriptorSet set = tools_.descriptors.make(pipeline, 0, bindings);
     wait_for_stores();
     vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.vk());
     vkCmdBindDescriptorSets(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &set, 0, nullptr);
-    vkCmdPushConstants(commands_, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof numbers, numbers.data());
+    if (!numbers.empty())
+      vkCmdPushConstants(commands_, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                         static_cast<std::uint32_t>(numbers.size()), numbers.data());
     vkCmdDispatch(commands_, (threads + 63) / 64, 1, 1);
   }
 
@@ -70,7 +84,7 @@ class Recorder {
     gpu::record(commands_, gpu::memory_barrier(kStored, kRead));
   }
 
-  gpu::Toolbox& tools_;
+  gpu::GpuContext& tools_;
   VkCommandBuffer commands_;
 };
 
@@ -123,15 +137,18 @@ void record_source(const Recorder& recorder, const gpu::Image& background, const
   const VkSampler sampler =
       recorder.sampler({.mip = VK_SAMPLER_MIPMAP_MODE_NEAREST, .wrap_u = VK_SAMPLER_ADDRESS_MODE_REPEAT});
   const auto [mip, taps] = footprint(background.desc());
-  recorder.dispatch(kProjectShader, {taps, mip},
+  const project::ProjectPush push{taps, mip};
+  recorder.dispatch(kProjectShader, std::as_bytes(std::span(&push, 1)),
                     gpu::Bindings()
-                        .sampled(0, background.view(), sampler)
-                        .storage(1, source.mip_view(0))
-                        .storage(2, specular.mip_view(0)),
+                        .sampled(project::equirect, background.view(), sampler)
+                        .storage(project::cube, source.mip_view(0))
+                        .storage(project::mirror, specular.mip_view(0)),
                     texels_of_level(0));
   for (std::uint32_t level = 1; level < source.desc().mips; ++level)
     recorder.dispatch(kMipShader, {},
-                      gpu::Bindings().storage(0, source.mip_view(level - 1)).storage(1, source.mip_view(level)),
+                      gpu::Bindings()
+                          .storage(mip_io::larger, source.mip_view(level - 1))
+                          .storage(mip_io::smaller, source.mip_view(level)),
                       texels_of_level(level));
 }
 
@@ -146,7 +163,7 @@ gpu::ImageDesc specular_cube_desc() {
           .cube = true};
 }
 
-gpu::Image bake_specular_cube(gpu::Toolbox& tools, const gpu::Image& background) {
+gpu::Image bake_specular_cube(gpu::GpuContext& tools, const gpu::Image& background) {
   constexpr VkImageUsageFlags kUsage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT;
   gpu::ImageDesc source_desc = specular_cube_desc();
   source_desc.mips = gpu::full_mip_count(kFaceSize, kFaceSize);
@@ -165,13 +182,15 @@ gpu::Image bake_specular_cube(gpu::Toolbox& tools, const gpu::Image& background)
 
   commands = tools.device.begin();
   const Recorder recorder(tools, commands);
-  for (std::uint32_t level = 1; level < shading::kPrefilterLevels; ++level)
-    recorder.dispatch(kPrefilterShader, {samples.begin[level], samples.begin[level + 1]},
+  for (std::uint32_t level = 1; level < shading::kPrefilterLevels; ++level) {
+    const prefilter::PrefilterPush push{samples.begin[level], samples.begin[level + 1]};
+    recorder.dispatch(kPrefilterShader, std::as_bytes(std::span(&push, 1)),
                       gpu::Bindings()
-                          .sampled(0, source.view(), recorder.sampler({}), VK_IMAGE_LAYOUT_GENERAL)
-                          .buffer(1, lobes)
-                          .storage(2, specular.mip_view(level)),
+                          .sampled(prefilter::source, source.view(), recorder.sampler({}), VK_IMAGE_LAYOUT_GENERAL)
+                          .buffer(prefilter::Samples, lobes)
+                          .storage(prefilter::level, specular.mip_view(level)),
                       texels_of_level(level));
+  }
   change_layout(commands, specular, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   tools.device.submit_and_wait(commands);
   return specular;

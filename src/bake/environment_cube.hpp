@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/image.hpp"
-#include "gpu/toolbox.hpp"
+#include "gpu/gpu_context.hpp"
 
 namespace velarium::bake {
 
@@ -9,6 +9,6 @@ namespace velarium::bake {
 [[nodiscard]] gpu::ImageDesc specular_cube_desc();
 
 // Environment::specular from Environment::background. May be copied from.
-[[nodiscard]] gpu::Image bake_specular_cube(gpu::Toolbox& tools, const gpu::Image& background);
+[[nodiscard]] gpu::Image bake_specular_cube(gpu::GpuContext& tools, const gpu::Image& background);
 
 }  // namespace velarium::bake

@@ -1,13 +1,12 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
+#include "bake/environment_mip_io.glsl"
 #include "bake/round_to_half.glsl"
 
 // One texel of the smaller mip a thread: the mean of its four by solid angle, so that every mip holds the same power.
 
 layout(local_size_x = 64) in;
-layout(set = 0, binding = 0, rgba16f) readonly uniform image2DArray larger;
-layout(set = 0, binding = 1, rgba16f) writeonly uniform image2DArray smaller;
 
 void main() {
   uint size = uint(imageSize(smaller).x);

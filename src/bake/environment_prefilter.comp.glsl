@@ -1,16 +1,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
+#include "bake/environment_prefilter_io.glsl"
 #include "bake/round_to_half.glsl"
 #include "shading/environment.glsl"
 
 // One texel of a level a thread: the mean radiance that its lobe gathers, over the cells of cut_lobe().
 
 layout(local_size_x = 64) in;
-layout(set = 0, binding = 0) uniform samplerCube source;
-layout(set = 0, binding = 1, std430) readonly buffer Samples { vec4 samples[]; };  // x, y, level of the source, weight
-layout(set = 0, binding = 2, rgba16f) writeonly uniform image2DArray level;
-layout(push_constant) uniform Push { uint begin, end; };  // of the level's samples
 
 void main() {
   uint size = uint(imageSize(level).x);
@@ -21,7 +18,7 @@ void main() {
   vec3 tangent = from_tangent_space(vec3(1.0f, 0.0f, 0.0f), axis);
   vec3 bitangent = cross(axis, tangent);
   vec3 sum = vec3(0.0f);
-  for (uint i = begin; i < end; ++i) {
+  for (uint i = push.begin; i < push.end; ++i) {
     vec4 s = samples[i];
     float z = sqrt(max(1.0f - s.x * s.x - s.y * s.y, 0.0f));
     sum += s.w * textureLod(source, s.x * tangent + s.y * bitangent + z * axis, s.z).rgb;

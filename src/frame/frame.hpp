@@ -1,30 +1,45 @@
 #pragma once
 
+#include "bake/environment.hpp"
+#include "frame/state.hpp"
+#include "graph/executor.hpp"
 #include "graph/graph.hpp"
-#include "passes/far_shadows/far_shadows.hpp"
-#include "passes/local_shadows/local_shadows.hpp"
-#include "passes/shading_inputs.hpp"
-#include "passes/sun_shadows/sun_shadows.hpp"
 
+#include <velarium/engine.hpp>
 #include <velarium/settings.hpp>
 
 #include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace velarium::frame {
 
+// What a picture is made with, once its maps are planned.
+struct Prepared {
+  Settings settings;               // with maps as large as shadows.memory allows
+  std::vector<std::string> notes;  // decisions a user should hear of
+};
+
+// Plans what the frames of a picture share, before the first of them: which maps, how large, which are drawn.
+[[nodiscard]] Prepared prepare(State& state, gpu::Device& device, const upload::Tables& tables,
+                               const upload::View& view, const Settings& settings);
+
+// Device memory of the maps that a picture holds, as dumps name them.
+[[nodiscard]] std::vector<MapMemory> shadow_maps(const State& state, const graph::Executor& executor);
+
 // What one frame is made from. Everything outlives the frame.
 struct FrameInputs {
-  const upload::SceneTables& scene;
-  const passes::Environment& environment;
+  const upload::Tables& tables;
+  const upload::View& view;
+  State& state;
+  const bake::Environment* environment = nullptr;  // null: none
+  const gpu::Image& brdf_table;                    // of settings.lighting.model
   const gpu::Image& normal_lengths;
-  const gpu::Image& no_map;  // of depth, where a map is missing
-  local_shadows::Maps& local_shadows;
-  sun_shadows::Maps& sun_maps;
-  far_shadows::Map& far_map;
   gpu::Image& sum;    // rgba32f: of the frames of this picture so far
   bool first = true;  // does this frame start the sum?
-  std::uint32_t width = 0, height = 0;
+  upload::FrameSample sample;
+  Background background = Background::environment;
   const Settings& settings;
 };
 

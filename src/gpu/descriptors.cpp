@@ -12,18 +12,22 @@ constexpr std::uint32_t kSetsPerPool = 256;
 
 }  // namespace
 
-Bindings& Bindings::sampled(std::uint32_t binding, VkImageView view, VkSampler sampler, VkImageLayout layout) {
-  entries_.push_back({binding, VkDescriptorImageInfo{sampler, view, layout}});
+Bindings& Bindings::sampled(const Slot& slot, VkImageView view, VkSampler sampler, VkImageLayout layout) {
+  entries_.push_back({slot.binding, VkDescriptorImageInfo{sampler, view, layout}});
   return *this;
 }
 
-Bindings& Bindings::storage(std::uint32_t binding, VkImageView view) {
-  entries_.push_back({binding, VkDescriptorImageInfo{VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL}});
+Bindings& Bindings::image(const Slot& slot, VkImageView view, VkImageLayout layout) {
+  return sampled(slot, view, VK_NULL_HANDLE, layout);
+}
+
+Bindings& Bindings::storage(const Slot& slot, VkImageView view) {
+  entries_.push_back({slot.binding, VkDescriptorImageInfo{VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL}});
   return *this;
 }
 
-Bindings& Bindings::buffer(std::uint32_t binding, const Buffer& buffer, VkDeviceSize offset, VkDeviceSize bytes) {
-  entries_.push_back({binding, VkDescriptorBufferInfo{buffer.vk(), offset, bytes}});
+Bindings& Bindings::buffer(const Slot& slot, const Buffer& buffer, VkDeviceSize offset, VkDeviceSize bytes) {
+  entries_.push_back({slot.binding, VkDescriptorBufferInfo{buffer.vk(), offset, bytes}});
   return *this;
 }
 
@@ -72,8 +76,9 @@ VkDescriptorSet DescriptorAllocator::allocate(VkDescriptorSetLayout layout) {
 
 void DescriptorAllocator::add_pool() {
   const std::array sizes{VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 8 * kSetsPerPool},
+                         VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, 8 * kSetsPerPool},
                          VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, kSetsPerPool},
-                         VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2 * kSetsPerPool},
+                         VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 4 * kSetsPerPool},
                          VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kSetsPerPool}};
   const VkDescriptorPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                         .maxSets = kSetsPerPool,

@@ -2,21 +2,23 @@
 
 #include "gpu/buffer.hpp"
 #include "gpu/pipeline.hpp"
+#include "gpu/slot.hpp"
 
 #include <variant>
 #include <vector>
 
 namespace velarium::gpu {
 
-// What one descriptor set binds, by binding number. A value: it names resources and owns none.
+// What one descriptor set binds. A value: it names resources and owns none.
 class Bindings {
  public:
-  Bindings& sampled(std::uint32_t binding, VkImageView view, VkSampler sampler,
+  // With a sampler of its own, or without.
+  Bindings& sampled(const Slot& slot, VkImageView view, VkSampler sampler,
                     VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
-  Bindings& storage(std::uint32_t binding, VkImageView view);
+  Bindings& storage(const Slot& slot, VkImageView view);
+  Bindings& image(const Slot& slot, VkImageView view, VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
   // All of a buffer, or `bytes` of it from `offset`.
-  Bindings& buffer(std::uint32_t binding, const Buffer& buffer, VkDeviceSize offset = 0,
-                   VkDeviceSize bytes = VK_WHOLE_SIZE);
+  Bindings& buffer(const Slot& slot, const Buffer& buffer, VkDeviceSize offset = 0, VkDeviceSize bytes = VK_WHOLE_SIZE);
 
   struct Entry {
     std::uint32_t binding;

@@ -5,6 +5,7 @@
 #include "gpu/image.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace velarium::gpu {
@@ -32,10 +33,12 @@ class Module {
 class SpecializationInfo {
  public:
   explicit SpecializationInfo(const Specialization& constants) {
-    for (std::uint32_t i = 0; i < constants.size(); ++i)
-      entries_.push_back({i, i * static_cast<std::uint32_t>(sizeof(std::uint32_t)), sizeof(std::uint32_t)});
-    info_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), constants.size() * sizeof(std::uint32_t),
-             constants.data()};
+    const auto values = constants.entries();
+    for (std::uint32_t i = 0; i < values.size(); ++i) {
+      constexpr std::uint32_t kStride = sizeof(Specialization::Entry), kBits = offsetof(Specialization::Entry, bits);
+      entries_.push_back({values[i].id, i * kStride + kBits, sizeof(std::uint32_t)});
+    }
+    info_ = {static_cast<std::uint32_t>(entries_.size()), entries_.data(), values.size_bytes(), values.data()};
   }
   [[nodiscard]] const VkSpecializationInfo* get() const { return entries_.empty() ? nullptr : &info_; }
 
@@ -63,7 +66,7 @@ BlendFactors blend_factors(Blend blend) {
       return {VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ZERO};
     case Blend::premultiplied:
       return {VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA};
-    case Blend::veil:
+    case Blend::translucency:
       return {VK_BLEND_FACTOR_ZERO, VK_BLEND_FACTOR_SRC_COLOR};
     case Blend::add:
       return {VK_BLEND_FACTOR_ONE, VK_BLEND_FACTOR_ONE};
@@ -75,7 +78,7 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend, bool write) {
   constexpr VkColorComponentFlags kAll =
       VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
   const auto [source, destination] = blend_factors(blend);
-  const bool largest_alpha = blend == Blend::veil || blend == Blend::add;
+  const bool largest_alpha = blend == Blend::translucency || blend == Blend::add;
   return {.blendEnable = blend != Blend::none,
           .srcColorBlendFactor = source,
           .dstColorBlendFactor = destination,
@@ -200,10 +203,11 @@ VkPipeline create_raster(Device& device, VkPipelineLayout layout,
 
 }  // namespace
 
-Pipeline Pipeline::compute(Device& device, Spirv shader, const Specialization& constants) {
+Pipeline Pipeline::compute(Device& device, const SharedSamplers& samplers, Spirv shader,
+                           const Specialization& constants) {
   Pipeline result(device, VK_PIPELINE_BIND_POINT_COMPUTE);
   const std::array reflections{reflect(shader)};
-  result.make_layout(reflections, VK_SHADER_STAGE_COMPUTE_BIT);
+  result.make_layout(reflections, VK_SHADER_STAGE_COMPUTE_BIT, samplers);
   const Module module(device.vk(), shader);
   const SpecializationInfo specialization(constants);
   const VkComputePipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
@@ -214,11 +218,12 @@ Pipeline Pipeline::compute(Device& device, Spirv shader, const Specialization& c
   return result;
 }
 
-Pipeline Pipeline::raster(Device& device, Spirv vertex, Spirv fragment, const RasterState& state) {
+Pipeline Pipeline::raster(Device& device, const SharedSamplers& samplers, Spirv vertex, Spirv fragment,
+                          const RasterState& state) {
   Pipeline result(device, VK_PIPELINE_BIND_POINT_GRAPHICS);
   std::vector<Reflection> reflections{reflect(vertex)};
   if (!fragment.empty()) reflections.push_back(reflect(fragment));
-  result.make_layout(reflections, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT);
+  result.make_layout(reflections, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, samplers);
   const Module vertex_module(device.vk(), vertex);
   std::vector stages{stage_info(VK_SHADER_STAGE_VERTEX_BIT, vertex_module, nullptr)};
   std::optional<Module> fragment_module;
@@ -231,12 +236,13 @@ Pipeline Pipeline::raster(Device& device, Spirv vertex, Spirv fragment, const Ra
   return result;
 }
 
-void Pipeline::make_layout(std::span<const Reflection> shaders, VkShaderStageFlags stages) {
+void Pipeline::make_layout(std::span<const Reflection> shaders, VkShaderStageFlags stages,
+                           const SharedSamplers& samplers) {
   for (const auto& shader : shaders)
     for (const auto& binding : shader.bindings)
       if (!binding_type(binding.set, binding.binding)) bindings_.push_back(binding);
 
-  for (std::uint32_t set = 0; set < kMaxSets; ++set) {
+  for (std::uint32_t set = 0; set < SharedSamplers::kSet; ++set) {
     std::vector<VkDescriptorSetLayoutBinding> entries;
     for (const auto& b : bindings_) {
       VEL_ASSERT(b.set < kMaxSets);
@@ -248,6 +254,9 @@ void Pipeline::make_layout(std::span<const Reflection> shaders, VkShaderStageFla
     check(vkCreateDescriptorSetLayout(device_->vk(), &info, nullptr, &set_layouts_[set]),
           "vkCreateDescriptorSetLayout");
   }
+  set_layouts_[SharedSamplers::kSet] = samplers.layout();
+  const auto is_sampler = [](const auto& b) { return b.set == SharedSamplers::kSet; };
+  if (std::ranges::any_of(bindings_, is_sampler)) shared_samplers_ = samplers.set();
   const VkPushConstantRange push{stages, 0, kPushConstantBytes};
   const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
                                         .setLayoutCount = kMaxSets,
@@ -268,7 +277,8 @@ Pipeline::~Pipeline() {
   if (pipeline_ == VK_NULL_HANDLE && layout_ == VK_NULL_HANDLE) return;
   vkDestroyPipeline(device_->vk(), pipeline_, nullptr);
   vkDestroyPipelineLayout(device_->vk(), layout_, nullptr);
-  for (const auto layout : set_layouts_) vkDestroyDescriptorSetLayout(device_->vk(), layout, nullptr);
+  for (std::uint32_t set = 0; set < SharedSamplers::kSet; ++set)
+    vkDestroyDescriptorSetLayout(device_->vk(), set_layouts_[set], nullptr);
 }
 
 Pipeline::Pipeline(Pipeline&& other) noexcept
@@ -277,6 +287,7 @@ Pipeline::Pipeline(Pipeline&& other) noexcept
       pipeline_(std::exchange(other.pipeline_, VK_NULL_HANDLE)),
       layout_(std::exchange(other.layout_, VK_NULL_HANDLE)),
       set_layouts_(std::exchange(other.set_layouts_, {})),
+      shared_samplers_(other.shared_samplers_),
       bindings_(std::move(other.bindings_)) {}
 
 }  // namespace velarium::gpu

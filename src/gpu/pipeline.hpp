@@ -1,6 +1,8 @@
 #pragma once
 
 #include "gpu/device.hpp"
+#include "gpu/shared_samplers.hpp"
+#include "gpu/specialization.hpp"
 #include "gpu/spirv.hpp"
 
 #include <array>
@@ -11,13 +13,9 @@
 
 namespace velarium::gpu {
 
-inline constexpr std::uint32_t kMaxSets = 4;              // frame, pass, material, object
-inline constexpr std::uint32_t kPushConstantBytes = 128;  // all that the poorest driver has
+inline constexpr std::uint32_t kMaxSets = 4;  // pass, illumination, material, samplers
 
 using Spirv = std::span<const std::uint32_t>;
-
-// 32-bit specialisation constants, by constant_id 0, 1, 2 ... Booleans are 0 or 1.
-using Specialization = std::vector<std::uint32_t>;
 
 struct VertexAttribute {
   std::uint32_t location = 0, binding = 0;
@@ -34,7 +32,7 @@ struct VertexBinding {
 enum class Blend {
   none,
   premultiplied,  // new + (1 - new.a) old
-  veil,           // rgb: new old; a: the larger
+  translucency,   // rgb: new old; a: the larger
   add,            // rgb: new + old; a: the larger
 };
 
@@ -66,9 +64,11 @@ struct RasterState {
 // A pipeline, its layout and its descriptor set layouts, all from the shaders' own SPIR-V.
 class Pipeline {
  public:
-  static Pipeline compute(Device& device, Spirv shader, const Specialization& constants = {});
+  static Pipeline compute(Device& device, const SharedSamplers& samplers, Spirv shader,
+                          const Specialization& constants = {});
   // `fragment`: empty where depth and stencil alone are drawn; colour targets then keep what they have.
-  static Pipeline raster(Device& device, Spirv vertex, Spirv fragment, const RasterState& state);
+  static Pipeline raster(Device& device, const SharedSamplers& samplers, Spirv vertex, Spirv fragment,
+                         const RasterState& state);
   ~Pipeline();
   Pipeline(Pipeline&& other) noexcept;
   Pipeline& operator=(Pipeline&&) = delete;
@@ -80,16 +80,19 @@ class Pipeline {
   // The type of a binding, for whoever writes its descriptor. Precondition: the shaders use it, or it is ignored:
   // then nullopt.
   [[nodiscard]] std::optional<VkDescriptorType> binding_type(std::uint32_t set, std::uint32_t binding) const;
+  // The set to bind as SharedSamplers::kSet; null where the shaders use none of them.
+  [[nodiscard]] VkDescriptorSet shared_samplers() const { return shared_samplers_; }
 
  private:
   Pipeline(Device& device, VkPipelineBindPoint bind_point) : device_(&device), bind_point_(bind_point) {}
-  void make_layout(std::span<const Reflection> shaders, VkShaderStageFlags stages);
+  void make_layout(std::span<const Reflection> shaders, VkShaderStageFlags stages, const SharedSamplers& samplers);
 
   Device* device_;
   VkPipelineBindPoint bind_point_;
   VkPipeline pipeline_ = VK_NULL_HANDLE;
   VkPipelineLayout layout_ = VK_NULL_HANDLE;
-  std::array<VkDescriptorSetLayout, kMaxSets> set_layouts_{};
+  std::array<VkDescriptorSetLayout, kMaxSets> set_layouts_{};  // that of the samplers is not owned
+  VkDescriptorSet shared_samplers_ = VK_NULL_HANDLE;
   std::vector<ReflectedBinding> bindings_;
 };
 

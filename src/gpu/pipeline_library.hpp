@@ -3,6 +3,7 @@
 #include "gpu/pipeline.hpp"
 
 #include <deque>
+#include <unordered_map>
 
 namespace velarium::gpu {
 
@@ -10,7 +11,7 @@ namespace velarium::gpu {
 // Shaders are told apart by the address of their code, which is static.
 class PipelineLibrary {
  public:
-  explicit PipelineLibrary(Device& device) : device_(device) {}
+  PipelineLibrary(Device& device, const SharedSamplers& samplers) : device_(device), samplers_(samplers) {}
 
   [[nodiscard]] const Pipeline& compute(Spirv shader, const Specialization& constants = {});
   [[nodiscard]] const Pipeline& raster(Spirv vertex, Spirv fragment, const RasterState& state);
@@ -28,8 +29,11 @@ class PipelineLibrary {
     Pipeline pipeline;
   };
   Device& device_;
+  const SharedSamplers& samplers_;
   std::deque<Compute> compute_;  // deques: references stay valid
   std::deque<Raster> raster_;
+  std::unordered_multimap<std::uint64_t, const Compute*> compute_by_hash_;
+  std::unordered_multimap<std::uint64_t, const Raster*> raster_by_hash_;
 };
 
 }  // namespace velarium::gpu

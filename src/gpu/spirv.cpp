@@ -10,6 +10,7 @@ namespace {
 // Numbers of the SPIR-V specification, section 3 (operations, decorations, storage classes).
 enum Op : std::uint32_t {
   kOpTypeImage = 25,
+  kOpTypeSampler = 26,
   kOpTypeSampledImage = 27,
   kOpTypeArray = 28,
   kOpTypeStruct = 30,
@@ -25,8 +26,9 @@ constexpr std::size_t kHeaderWords = 5;
 
 struct Id {
   std::uint32_t op = 0;
-  std::uint32_t type = 0;   // what a pointer, array or variable is of
-  std::uint32_t value = 0;  // a constant's value, an array's length id, a variable's storage class
+  std::uint32_t type = 0;  // what a pointer, array or variable is of
+  std::uint32_t value =
+      0;  // a constant's value, an array's length id, a variable's storage class, an image's "Sampled"
   std::uint32_t set = 0, binding = 0;
   bool bound = false;
 };
@@ -47,6 +49,10 @@ void read_instruction(Ids& ids, std::uint32_t op, std::span<const std::uint32_t>
       decorate(ids[words[1]], words[2], words);
       break;
     case kOpTypeImage:
+      ids[words[1]].op = op;
+      ids[words[1]].value = words[7];
+      break;
+    case kOpTypeSampler:
     case kOpTypeSampledImage:
     case kOpTypeStruct:
       ids[words[1]].op = op;
@@ -74,10 +80,13 @@ void read_instruction(Ids& ids, std::uint32_t op, std::span<const std::uint32_t>
   }
 }
 
-VkDescriptorType descriptor_type(std::uint32_t type_op, std::uint32_t storage) {
+VkDescriptorType descriptor_type(const Id& type, std::uint32_t storage) {
+  constexpr std::uint32_t kStored = 2;  // OpTypeImage, "Sampled": used without a sampler
   if (storage == kStorageBuffer) return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
   if (storage == kUniform) return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-  return type_op == kOpTypeImage ? VK_DESCRIPTOR_TYPE_STORAGE_IMAGE : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+  if (type.op == kOpTypeSampler) return VK_DESCRIPTOR_TYPE_SAMPLER;
+  if (type.op == kOpTypeSampledImage) return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+  return type.value == kStored ? VK_DESCRIPTOR_TYPE_STORAGE_IMAGE : VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
 }
 
 ReflectedBinding describe(const Ids& ids, const Id& variable) {
@@ -87,7 +96,7 @@ ReflectedBinding describe(const Ids& ids, const Id& variable) {
     result.count = ids.at(type->value).value;
     type = &ids.at(type->type);
   }
-  result.type = descriptor_type(type->op, variable.value);
+  result.type = descriptor_type(*type, variable.value);
   return result;
 }
 

@@ -20,8 +20,8 @@ struct Reflection {
   bool has_push_constants = false;
 };
 
-// Precondition: SPIR-V of our own build. Understands uniform and storage buffers, combined image samplers and
-// storage images, and arrays of them.
+// Precondition: SPIR-V of our own build. Understands uniform and storage buffers, images with a sampler and without,
+// samplers, storage images, and arrays of them.
 [[nodiscard]] Reflection reflect(std::span<const std::uint32_t> spirv);
 
 }  // namespace velarium::gpu

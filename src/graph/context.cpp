@@ -1,5 +1,7 @@
 #include "graph/context.hpp"
 
+#include "core/assert.hpp"
+
 namespace velarium::graph {
 namespace {
 
@@ -28,6 +30,9 @@ VkRect2D rect(const Area& area) {
 
 void Context::bind(const gpu::Pipeline& pipeline) const {
   vkCmdBindPipeline(commands_, pipeline.bind_point(), pipeline.vk());
+  if (const VkDescriptorSet samplers = pipeline.shared_samplers(); samplers != VK_NULL_HANDLE)
+    vkCmdBindDescriptorSets(commands_, pipeline.bind_point(), pipeline.layout(), gpu::SharedSamplers::kSet, 1,
+                            &samplers, 0, nullptr);
 }
 
 SetWriter Context::set(const gpu::Pipeline& pipeline, std::uint32_t set) const {
@@ -100,38 +105,47 @@ void Context::end_rendering() const {
   vkCmdEndRendering(commands_);
 }
 
-SetWriter& SetWriter::sampled(std::uint32_t binding, GraphImage handle, const gpu::SamplerDesc& sampler) {
+const gpu::Slot& SetWriter::checked(const gpu::Slot& slot) const {
+  VEL_ASSERT(slot.set == set_);
+  return slot;
+}
+
+SetWriter& SetWriter::sampled(const gpu::Slot& slot, GraphImage handle) {
+  if (handle.version == 0) return sampled(slot, nullptr);
   const auto& image = context_.image(handle);
   const bool depth = gpu::has_depth(image.desc().format);
-  bindings_.sampled(binding, depth ? image.depth_view() : image.view(),
-                    context_.tools().samplers.get(depth && !sampler.compare ? gpu::kNearest : sampler),
-                    access_info(Access::compute_sample, depth).layout);
+  bindings_.image(checked(slot), depth ? image.depth_view() : image.view(),
+                  access_info(Access::compute_sample, depth).layout);
   return *this;
 }
 
-SetWriter& SetWriter::stencil(std::uint32_t binding, GraphImage handle) {
-  bindings_.sampled(binding, context_.image(handle).stencil_view(), context_.tools().samplers.get(gpu::kNearest),
-                    access_info(Access::compute_sample, true).layout);
+SetWriter& SetWriter::stencil(const gpu::Slot& slot, GraphImage handle) {
+  bindings_.image(checked(slot), context_.image(handle).stencil_view(),
+                  access_info(Access::compute_sample, true).layout);
   return *this;
 }
 
-SetWriter& SetWriter::storage(std::uint32_t binding, GraphImage handle) {
-  bindings_.storage(binding, context_.image(handle).mip_view(0));
+SetWriter& SetWriter::storage(const gpu::Slot& slot, GraphImage handle) {
+  bindings_.storage(checked(slot), context_.image(handle).mip_view(0));
   return *this;
 }
 
-SetWriter& SetWriter::buffer(std::uint32_t binding, GraphBuffer handle) {
-  bindings_.buffer(binding, context_.buffer(handle));
+SetWriter& SetWriter::buffer(const gpu::Slot& slot, GraphBuffer handle) {
+  return buffer(slot, handle.version == 0 ? context_.tools().nulls.buffer() : context_.buffer(handle));
+}
+
+SetWriter& SetWriter::sampled(const gpu::Slot& slot, const gpu::Image* image) {
+  bindings_.image(checked(slot), (image != nullptr ? *image : context_.tools().nulls.image(slot.type)).view());
   return *this;
 }
 
-SetWriter& SetWriter::sampled(std::uint32_t binding, const gpu::Image& image, const gpu::SamplerDesc& sampler) {
-  bindings_.sampled(binding, image.view(), context_.tools().samplers.get(sampler));
+SetWriter& SetWriter::sampled(const gpu::Slot& slot, const gpu::Image& image, const gpu::SamplerDesc& sampler) {
+  bindings_.sampled(checked(slot), image.view(), context_.tools().samplers.get(sampler));
   return *this;
 }
 
-SetWriter& SetWriter::buffer(std::uint32_t binding, const gpu::Buffer& buffer) {
-  bindings_.buffer(binding, buffer);
+SetWriter& SetWriter::buffer(const gpu::Slot& slot, const gpu::Buffer& buffer) {
+  bindings_.buffer(checked(slot), buffer ? buffer : context_.tools().nulls.buffer());
   return *this;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gpu/toolbox.hpp"
+#include "gpu/gpu_context.hpp"
 #include "graph/graph.hpp"
 
 #include <array>
@@ -34,17 +34,18 @@ class SetWriter;
 // What a pass records with: its command buffer, and the images and buffers behind the handles.
 class Context {
  public:
-  Context(gpu::Toolbox& tools, VkCommandBuffer commands, std::span<gpu::Image* const> images,
+  Context(gpu::GpuContext& tools, VkCommandBuffer commands, std::span<gpu::Image* const> images,
           std::span<gpu::Buffer* const> buffers)
       : tools_(tools), commands_(commands), images_(images), buffers_(buffers) {}
 
-  [[nodiscard]] gpu::Toolbox& tools() const { return tools_; }
+  [[nodiscard]] gpu::GpuContext& tools() const { return tools_; }
   [[nodiscard]] VkCommandBuffer commands() const { return commands_; }
   [[nodiscard]] const gpu::Image& image(GraphImage handle) const { return *images_[handle.index]; }
   [[nodiscard]] const gpu::Buffer& buffer(GraphBuffer handle) const { return *buffers_[handle.index]; }
 
+  // With the shared samplers (gpu/samplers.glsl) that its shaders use.
   void bind(const gpu::Pipeline& pipeline) const;
-  // Collects and binds one descriptor set: c.set(p, 0).sampled(0, depth).storage(1, out).bind();
+  // Collects and binds one descriptor set: c.set(p, 0).sampled(io::depth, depth).storage(io::out, out).bind();
   [[nodiscard]] SetWriter set(const gpu::Pipeline& pipeline, std::uint32_t set) const;
   void bind_set(const gpu::Pipeline& pipeline, std::uint32_t set, const gpu::Bindings& bindings) const;
   void push(const gpu::Pipeline& pipeline, std::span<const std::byte> bytes) const;
@@ -67,29 +68,33 @@ class Context {
   void end_rendering() const;
 
  private:
-  gpu::Toolbox& tools_;
+  gpu::GpuContext& tools_;
   VkCommandBuffer commands_;
   std::span<gpu::Image* const> images_;
   std::span<gpu::Buffer* const> buffers_;
 };
 
+// Fills the bindings of one descriptor set by the names that shaders know them by. A handle of version 0 binds the
+// device's null resource of the slot's type: what it stands for is off, and specialisation keeps it from being read.
 class SetWriter {
  public:
   SetWriter(const Context& context, const gpu::Pipeline& pipeline, std::uint32_t set)
       : context_(context), pipeline_(pipeline), set_(set) {}
 
-  // The depth of a depth image, the colour of any other. Default sampler: linear, clamped; depth is never filtered,
-  // but by comparison.
-  SetWriter& sampled(std::uint32_t binding, GraphImage image, const gpu::SamplerDesc& sampler = {});
-  SetWriter& stencil(std::uint32_t binding, GraphImage image);
-  SetWriter& storage(std::uint32_t binding, GraphImage image);
-  SetWriter& buffer(std::uint32_t binding, GraphBuffer buffer);
-  // Resources from outside the graph, ready to be read.
-  SetWriter& sampled(std::uint32_t binding, const gpu::Image& image, const gpu::SamplerDesc& sampler = {});
-  SetWriter& buffer(std::uint32_t binding, const gpu::Buffer& buffer);
+  // The depth of a depth image, the colour of any other.
+  SetWriter& sampled(const gpu::Slot& slot, GraphImage image);
+  SetWriter& stencil(const gpu::Slot& slot, GraphImage image);
+  SetWriter& storage(const gpu::Slot& slot, GraphImage image);
+  SetWriter& buffer(const gpu::Slot& slot, GraphBuffer buffer);
+  // Resources from outside the graph, ready to be read; a null image or buffer as a handle of version 0.
+  SetWriter& sampled(const gpu::Slot& slot, const gpu::Image* image);
+  SetWriter& sampled(const gpu::Slot& slot, const gpu::Image& image, const gpu::SamplerDesc& sampler);
+  SetWriter& buffer(const gpu::Slot& slot, const gpu::Buffer& buffer);
   void bind();
 
  private:
+  // Asserts that the slot is of this set.
+  [[nodiscard]] const gpu::Slot& checked(const gpu::Slot& slot) const;
   const Context& context_;
   const gpu::Pipeline& pipeline_;
   std::uint32_t set_;

@@ -36,6 +36,7 @@ void Executor::allocate(const Graph& graph) {
     auto& kept = buffers_[resource.name];
     if (kept.buffer.size() < resource.bytes || kept.usage != resource.usage || kept.use != resource.use)
       kept = {resource.usage, resource.use, gpu::Buffer(tools_.device, resource.bytes, resource.usage, resource.use)};
+    if (!resource.contents.empty()) std::ranges::copy(resource.contents, kept.buffer.mapped().begin());
     buffer_list_.push_back(&kept.buffer);
   }
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/timers.hpp"
-#include "gpu/toolbox.hpp"
+#include "gpu/gpu_context.hpp"
 #include "graph/graph.hpp"
 #include "graph/plan.hpp"
 
@@ -20,7 +20,7 @@ struct PassTiming {
 // planned barriers, labels and times each pass.
 class Executor {
  public:
-  explicit Executor(gpu::Toolbox& tools) : tools_(tools), timers_(tools.device) {}
+  explicit Executor(gpu::GpuContext& tools) : tools_(tools), timers_(tools.device) {}
 
   // Records, submits and waits. `paranoid`: each barrier becomes a full one.
   // Throws Error(temporary) as gpu::Device::submit_and_wait does.
@@ -47,7 +47,7 @@ class Executor {
   void begin_label(VkCommandBuffer commands, const std::string& name) const;
   void end_label(VkCommandBuffer commands) const;
 
-  gpu::Toolbox& tools_;
+  gpu::GpuContext& tools_;
   gpu::Timers timers_;
   std::map<std::string, gpu::Image> images_;
   struct KeptBuffer {

@@ -25,14 +25,19 @@ void refuse_read_only(const Pass& pass, const AccessInfo& access, const std::str
                 fmt::format("pass '{}' writes '{}' by an access that only reads", pass.name(), resource));
 }
 
+template <class Resource>
+void refuse_twice(std::string_view name, const std::string& maker, const std::vector<Resource>& resources) {
+  for (const auto& other : resources)
+    if (other.name == name)
+      throw Error(ErrorCode::internal, fmt::format("{} makes two resources named '{}'", maker, name));
+}
+
 // The first write gives a resource its full name, under which the executor keeps it and --dump finds it.
 template <class Resource>
 void name_on_first_write(const Pass& pass, std::vector<Resource>& resources, std::uint32_t index) {
   if (resources[index].version != 0) return;
   const std::string name = pass.name() + "." + resources[index].name;
-  for (const auto& other : resources)
-    if (other.name == name)
-      throw Error(ErrorCode::internal, fmt::format("pass '{}' makes two resources named '{}'", pass.name(), name));
+  refuse_twice(name, "pass '" + pass.name() + "'", resources);
   resources[index].name = name;
 }
 
@@ -52,6 +57,17 @@ GraphImage Graph::import(std::string_view name, gpu::Image& image, bool initiali
 GraphBuffer Graph::buffer(std::string_view name, VkDeviceSize bytes, gpu::MemoryUse use) {
   buffers_.push_back({.name = std::string(name), .bytes = bytes, .use = use});
   return {static_cast<std::uint32_t>(buffers_.size() - 1), 0};
+}
+
+GraphBuffer Graph::upload(std::string_view name, std::span<const std::byte> bytes) {
+  refuse_twice(name, "the graph", buffers_);
+  buffers_.push_back({.name = std::string(name),
+                      .bytes = bytes.size(),
+                      .use = gpu::MemoryUse::upload,
+                      .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                      .version = 1,
+                      .contents = {bytes.begin(), bytes.end()}});
+  return {static_cast<std::uint32_t>(buffers_.size() - 1), 1};
 }
 
 Pass& Graph::pass(std::string_view name) {

@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace velarium::graph {
@@ -42,6 +44,18 @@ class Graph {
   [[nodiscard]] GraphImage import(std::string_view name, gpu::Image& image, bool initialized);
   [[nodiscard]] GraphBuffer buffer(std::string_view name, VkDeviceSize bytes,
                                    gpu::MemoryUse use = gpu::MemoryUse::device);
+  // A table that the host writes: a storage buffer with these bytes, there before the first pass. Shaders may read it
+  // in any pass without a declaration, as no pass writes it. `name`: full, "technique.table".
+  [[nodiscard]] GraphBuffer upload(std::string_view name, std::span<const std::byte> bytes);
+  template <class T>
+  [[nodiscard]] GraphBuffer upload(std::string_view name, const T& table) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    return upload(name, std::as_bytes(std::span(&table, 1)));
+  }
+  template <class T>
+  [[nodiscard]] GraphBuffer upload(std::string_view name, const std::vector<T>& table) {
+    return upload(name, std::as_bytes(std::span(table)));
+  }
 
   // Declares the next pass. Its name is the label, the row in --timings, and the first half of --dump names.
   Pass& pass(std::string_view name);
@@ -59,6 +73,7 @@ class Graph {
     gpu::MemoryUse use = gpu::MemoryUse::device;
     VkBufferUsageFlags usage = 0;
     std::uint32_t version = 0;
+    std::vector<std::byte> contents;  // of an upload
   };
   [[nodiscard]] const std::deque<Pass>& passes() const { return passes_; }
   [[nodiscard]] const std::vector<ImageResource>& images() const { return images_; }

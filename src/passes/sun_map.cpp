@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace velarium::passes {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 constexpr double kWidestPenumbra = 0.5;
 
 // Of the way that blockers may be distant on, metres: more than nothing, as it is divided by.
-constexpr double kShortestReach = 1e-6;
+constexpr double kShortestDistance = 1e-6;
 
 // Sine to tangent.
 double tangent_of(float sine) {
@@ -24,8 +25,8 @@ double tangent_of(float sine) {
   return s / std::sqrt(1.0 - s * s);
 }
 
-const upload::GpuLight& sun_of(const upload::SceneTables& scene) {
-  return scene.host_lights[scene.light_ranges.sun];
+const upload::GpuLight& sun_of(const upload::Tables& tables) {
+  return tables.lights[tables.light_ranges.sun];
 }
 
 }  // namespace
@@ -38,8 +39,8 @@ glm::dmat3 light_axes(const glm::dvec3& to_sun) {
   return glm::transpose(glm::dmat3(right, down, to_sun));
 }
 
-glm::dmat3 sun_axes(const upload::SceneTables& scene) {
-  return light_axes(glm::normalize(-glm::dvec3(sun_of(scene).direction)));
+glm::dmat3 sun_axes(const upload::Tables& tables) {
+  return light_axes(glm::normalize(-glm::dvec3(sun_of(tables).direction)));
 }
 
 LightBox light_box(const glm::dmat3& axes, const scene::Aabb& bounds) {
@@ -56,16 +57,16 @@ LightBox light_box(const glm::dmat3& axes, const scene::Aabb& bounds) {
   return box;
 }
 
-double blocker_reach(const LightBox& casters, double longest) {
-  return std::clamp(casters.high.z - casters.low.z, kShortestReach, longest);
+double blocker_distance(const LightBox& casters, double longest) {
+  return std::clamp(casters.high.z - casters.low.z, kShortestDistance, longest);
 }
 
-glm::mat4 clip_from_world(const SunMap& map, const glm::dvec3& eye) {
-  const glm::dvec3 at_eye = map.axes * eye;
+glm::mat4 clip_from_world(const SunMap& map, const glm::dvec3& origin) {
+  const glm::dvec3 at_origin = map.axes * origin;
   const double scale = 2.0 / map.side, depth_scale = 1.0 / (map.z_near - map.z_far);
   const glm::dmat3 rows = glm::transpose(map.axes);
-  const glm::dvec3 offset((at_eye.x - map.corner.x) * scale - 1.0, (at_eye.y - map.corner.y) * scale - 1.0,
-                          (at_eye.z - map.z_far) * depth_scale);
+  const glm::dvec3 offset((at_origin.x - map.corner.x) * scale - 1.0, (at_origin.y - map.corner.y) * scale - 1.0,
+                          (at_origin.z - map.z_far) * depth_scale);
   const glm::dmat4 transposed(glm::dvec4(rows[0] * scale, offset.x), glm::dvec4(rows[1] * scale, offset.y),
                               glm::dvec4(rows[2] * depth_scale, offset.z), glm::dvec4(0.0, 0.0, 0.0, 1.0));
   return glm::mat4(glm::transpose(transposed));
@@ -78,35 +79,33 @@ std::vector<glm::dvec4> caster_planes(const SunMap& map) {
       {rows[0], -map.corner.x}, {-rows[0], end.x}, {rows[1], -map.corner.y}, {-rows[1], end.y}, {rows[2], -map.z_far}};
 }
 
-Penumbra widest_penumbra(const upload::SceneTables& scene, bool soft, double reach, double half_side) {
-  const double tangent = soft ? tangent_of(sun_of(scene).color.w) : 0.0;
-  const double radius = std::min(tangent * reach, kWidestPenumbra * half_side);
-  return {radius, tangent > 0.0 ? radius / tangent : reach};
+Penumbra widest_penumbra(const upload::Tables& tables, bool soft, double distance, double half_side) {
+  const double tangent = soft ? tangent_of(sun_of(tables).color.w) : 0.0;
+  const double radius = std::min(tangent * distance, kWidestPenumbra * half_side);
+  return {radius, tangent > 0.0 ? radius / tangent : distance};
 }
 
-shading::Cascade gpu_cascade(const SunMap& map, const glm::dvec3& eye, const Penumbra& widest) {
-  const glm::dvec3 at_eye = map.axes * eye;
+shading::Cascade gpu_cascade(const SunMap& map, const glm::dvec3& origin, const Penumbra& widest) {
+  const glm::dvec3 at_origin = map.axes * origin;
   const double span = map.z_near - map.z_far, texel = map.texel();
-  return {
-      .place = glm::dvec4(1.0, at_eye.x - map.corner.x, at_eye.y - map.corner.y, widest.radius + kGuardTexels * texel) /
-               map.side,
-      .depth = glm::dvec4(1.0 / span, (at_eye.z - map.z_far) / span, span, texel),
-      .soft = {std::max(widest.radius, texel) / map.side, widest.distance, texel / map.side, 0.0}};
+  return {.place = glm::dvec4(1.0, at_origin.x - map.corner.x, at_origin.y - map.corner.y,
+                              widest.radius + kGuardTexels * texel) /
+                   map.side,
+          .depth = glm::dvec4(1.0 / span, (at_origin.z - map.z_far) / span, span, texel),
+          .soft = {std::max(widest.radius, texel) / map.side, widest.distance, texel / map.side, 0.0}};
 }
 
-void bind(graph::SetWriter& set, const FarSunMap& map, graph::GraphImage unused) {
-  set.sampled(16, map.kind == FarSun::off ? unused : map.image, gpu::kNearest);
-  set.sampled(17, map.kind == FarSun::static_map ? map.image : unused, {.compare = true});
+double vertex_snap(const gpu::Device& device) {
+  return std::ldexp(std::numbers::sqrt2, -1 - static_cast<int>(device.caps().sub_pixel_bits));
 }
 
-void draw_sun_map(graph::Context& c, const upload::SceneTables& scene, const SunMap& map, const glm::dvec3& eye,
-                  const SunMapDraw& how) {
-  const upload::CasterView view{.clip_from_world = clip_from_world(map, eye),
+void draw_sun_map(graph::Context& c, const upload::Tables& tables, const SunMap& map, const SunMapDraw& how) {
+  const upload::CasterView view{.clip_from_world = clip_from_world(map, tables.origin),
                                 .state = {.depth_format = how.depth_format, .depth_clamp = true, .depth_bias = true}};
   const auto planes = caster_planes(map);
   for (const auto kind : {upload::CasterKind::opaque, upload::CasterKind::cutout})
-    upload::draw_casters(c.tools(), c.commands(), scene,
-                         upload::visible_casters(scene.casters, kind, planes, how.casters), kind, view);
+    upload::draw_casters(c.tools(), c.commands(), tables,
+                         upload::visible_casters(tables.casters, kind, planes, how.casters), kind, view);
 }
 
 }  // namespace velarium::passes

@@ -6,9 +6,7 @@
 #include "gpu/vulkan.hpp"
 #include "graph/context.hpp"
 #include "shading/host.hpp"
-#include "upload/gpu_scene.hpp"
-
-#include <velarium/settings.hpp>
+#include "upload/tables.hpp"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -38,7 +36,7 @@ struct SunMap {
 [[nodiscard]] glm::dmat3 light_axes(const glm::dvec3& to_sun);
 
 // Of the sun of a scene. Precondition: it has one.
-[[nodiscard]] glm::dmat3 sun_axes(const upload::SceneTables& scene);
+[[nodiscard]] glm::dmat3 sun_axes(const upload::Tables& tables);
 
 // A box of light space.
 struct LightBox {
@@ -49,10 +47,10 @@ struct LightBox {
 [[nodiscard]] LightBox light_box(const glm::dmat3& axes, const scene::Aabb& bounds);
 
 // How far away blockers are told apart by their distance, metres: as far as there are any, `longest` at most.
-[[nodiscard]] double blocker_reach(const LightBox& casters, double longest);
+[[nodiscard]] double blocker_distance(const LightBox& casters, double longest);
 
-// To clip space, from the world's axes with their origin at `eye`.
-[[nodiscard]] glm::mat4 clip_from_world(const SunMap& map, const glm::dvec3& eye);
+// To clip space, from the device's world space. origin: upload::Tables::origin.
+[[nodiscard]] glm::mat4 clip_from_world(const SunMap& map, const glm::dvec3& origin);
 
 // World-space planes, as an upload::Frustum's, of all casters that the map can see: the four sides and the far end.
 // What stands towards the sun is never refused.
@@ -63,21 +61,15 @@ struct Penumbra {
   double radius = 0.0, distance = 1.0;  // metres
 };
 
-// Of the sun of a scene, for blockers up to `reach` metres away, in a map of which half a side is `half_side` metres.
-[[nodiscard]] Penumbra widest_penumbra(const upload::SceneTables& scene, bool soft, double reach, double half_side);
+// Of the sun of a scene, for blockers up to `distance` metres away, in a map of which half a side is `half_side`
+// metres.
+[[nodiscard]] Penumbra widest_penumbra(const upload::Tables& tables, bool soft, double distance, double half_side);
 
 // As shaders read it.
-[[nodiscard]] shading::Cascade gpu_cascade(const SunMap& map, const glm::dvec3& eye, const Penumbra& widest);
+[[nodiscard]] shading::Cascade gpu_cascade(const SunMap& map, const glm::dvec3& origin, const Penumbra& widest);
 
-// One map of the whole scene, for what the others do not hold.
-struct FarSunMap {
-  graph::GraphImage
-      image;  // vsm: two layers, mean and mean square of depth; static_map: depth. Version 0: there is none
-  FarSun kind = FarSun::off;
-};
-
-// Adds bindings 16 and 17 of upload/far_shadows.glsl to a set 1. unused: an array of depth, for what is never read.
-void bind(graph::SetWriter& set, const FarSunMap& map, graph::GraphImage unused);
+// How far vertices may move where a device draws them, pixels: half of what they snap to, on both axes.
+[[nodiscard]] double vertex_snap(const gpu::Device& device);
 
 // How casters are drawn into a map, between begin_rendering() and end_rendering() of its depth.
 struct SunMapDraw {
@@ -87,7 +79,6 @@ struct SunMapDraw {
 
 // Opaque casters and cutouts, of what the map sees, both sides of their surfaces. The depth bias is dynamic, and the
 // caller's.
-void draw_sun_map(graph::Context& c, const upload::SceneTables& scene, const SunMap& map, const glm::dvec3& eye,
-                  const SunMapDraw& how);
+void draw_sun_map(graph::Context& c, const upload::Tables& tables, const SunMap& map, const SunMapDraw& how);
 
 }  // namespace velarium::passes

@@ -78,9 +78,8 @@ EnvironmentLight::EnvironmentLight(image::FloatImage lat_long, float rotation_de
       row_cosines_(cosines_between_rows(image_.height)),
       pixels_(distribute(image_, row_cosines_, intensity)) {}
 
-// The turn takes +z to +x; this is its inverse, as to_environment() in upload/frame_lighting.glsl.
 glm::vec3 EnvironmentLight::to_environment(const glm::vec3& d) const {
-  return {cos_rotation_ * d.x - sin_rotation_ * d.z, d.y, sin_rotation_ * d.x + cos_rotation_ * d.z};
+  return shading::turned_to_environment(d, cos_rotation_, sin_rotation_);
 }
 
 glm::vec3 EnvironmentLight::to_world(const glm::vec3& d) const {

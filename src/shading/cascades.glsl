@@ -1,7 +1,7 @@
 // Maps of depth from a sun, one inside the other, and which of them a point is looked up in.
 //
 // All maps of a sun share their axes, which are fixed in the world: light space is x to the right and y down in the
-// map, z towards the sun, in metres, with its origin at the eye. Depth is reversed: 1 nearest to the sun.
+// map, z towards the sun, in metres, with its origin at world space's. Depth is reversed: 1 nearest to the sun.
 #ifndef VEL_SHADING_CASCADES_GLSL
 #define VEL_SHADING_CASCADES_GLSL
 
@@ -26,14 +26,12 @@ struct SunShadows {
   vec4 axis_y;          // xyz: unit
   vec4 axis_z;          // xyz: unit, towards the sun; w: normal offset, texels
   Cascade cascades[6];  // kMaxCascades, near to far; GLSL 4.60 and C++ agree on a literal only
-  Cascade beyond;       // one of the whole scene, for points that no other holds; upload/far_shadows.glsl
   uint cascade_count;
-  uint veiled;          // bit i: BLEND surfaces stand in map i's way of light
+  uint translucent;     // bit i: BLEND surfaces stand in map i's way of light
 };
 CHECK_LAYOUT(SunShadows, cascades, 48);
-CHECK_LAYOUT(SunShadows, beyond, 336);
-CHECK_LAYOUT(SunShadows, cascade_count, 384);
-CHECK_LAYOUT(SunShadows, veiled, 388);
+CHECK_LAYOUT(SunShadows, cascade_count, 336);
+CHECK_LAYOUT(SunShadows, translucent, 340);
 
 FN vec3 to_light_space(IN(SunShadows) sun, vec3 v) {
   return vec3(dot(vec3(sun.axis_x.x, sun.axis_x.y, sun.axis_x.z), v),
@@ -42,7 +40,7 @@ FN vec3 to_light_space(IN(SunShadows) sun, vec3 v) {
 }
 
 // Where a point of light space lies in a map: u, v, depth.
-FN vec3 cascade_place(IN(Cascade) c, vec3 p_ls) {
+FN vec3 shadow_coord(IN(Cascade) c, vec3 p_ls) {
   return vec3(p_ls.x * c.place.x + c.place.y, p_ls.y * c.place.x + c.place.z, p_ls.z * c.depth.x + c.depth.y);
 }
 

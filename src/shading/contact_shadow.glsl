@@ -33,7 +33,7 @@ const float kLeastStrength = 1e-30f, kMostStrength = 1e30f;
 
 // A lamp and how much it adds to a pixel, in one number whose order is that of what is added, to one part in 500: so the largest can
 // be found in any order, also by blending. 0: it adds nothing.
-FN float strength_key(float luminance, uint index) {
+FN float dominant_light_key(float luminance, uint index) {
   require(index < 1u << kStrengthIndexBits);
   if (luminance < kLeastStrength) return 0.0f;
   uint strength = floatBitsToUint(min(luminance, kMostStrength)) >> kStrengthIndexBits << kStrengthIndexBits;
@@ -41,7 +41,7 @@ FN float strength_key(float luminance, uint index) {
 }
 
 // The lamp of a key.
-FN uint lamp_of_key(float key) {
+FN uint light_of_key(float key) {
   return floatBitsToUint(key) & ((1u << kStrengthIndexBits) - 1u);
 }
 

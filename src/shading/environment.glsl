@@ -68,6 +68,16 @@ FN vec3 cube_direction(uint face, vec2 uv) {
   return normalize(d);
 }
 
+// World to the environment's own axes: the inverse of its turn about +Y, which takes +Z to +X. cosine, sine: of the turn.
+FN vec3 turned_to_environment(vec3 d, float cosine, float sine) {
+  return vec3(cosine * d.x - sine * d.z, d.y, sine * d.x + cosine * d.z);
+}
+
+// What occlusion leaves of the mirror direction [Lagarde & de Rousiers 2014, "Moving Frostbite to PBR", listing 26].
+FN float specular_occlusion(float n_dot_v, float occlusion, float alpha) {
+  return clamp(pow(n_dot_v + occlusion, exp2(-16.0f * alpha - 1.0f)) - 1.0f + occlusion, 0.0f, 1.0f);
+}
+
 // --- prefiltered specular levels ----------------------------------------------------------------------------------
 
 // Levels of the prefiltered cube, linear in smoothness [Schulz 2014]: at 256 pixels a face the lobe of each level is

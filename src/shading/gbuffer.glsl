@@ -1,8 +1,8 @@
 // Three RGBA8 targets [Schulz 2014, Ryse]; beside them depth, and the material class in the stencil:
 //
-//   RT0  UNORM  rgb  best-fit normal                a  occlusion, or Y of transmittance (kClassTransmittance)
-//   RT1  SRGB   rgb  diffuse albedo                 a  0
-//   RT2  UNORM  r    smoothness   g  Y of f0        ba Cb, Cr of f0, or of transmittance (kClassTransmittance)
+//   normal    UNORM  rgb  best-fit normal                a  occlusion, or Y of transmittance (kClassTransmittance)
+//   albedo    SRGB   rgb  diffuse albedo                 a  0
+//   specular  UNORM  r    smoothness   g  Y of f0        ba Cb, Cr of f0, or of transmittance (kClassTransmittance)
 //
 // Luma apart from chroma, and chroma split over blue and alpha, let a decal blend rgb while alpha is its weight.
 #ifndef VEL_SHADING_GBUFFER_GLSL
@@ -13,9 +13,9 @@
 #include "shading/specular_encoding.glsl"
 #include "shading/surface.glsl"
 
-// Values before the target's conversion to codes, and after its conversion back. rt1 is linear: its format is sRGB.
+// Values before the target's conversion to codes, and after its conversion back. albedo is linear: its format is sRGB.
 struct GBufferTexel {
-  vec4 rt0, rt1, rt2;
+  vec4 normal, albedo, specular;
 };
 
 // bfn_table_value: the best-fit length read at bfn_table_uv(s.normal_ws).
@@ -26,9 +26,9 @@ FN GBufferTexel gbuffer_encode(IN(Surface) s, float bfn_table_value) {
   vec2 chroma =
       transmits ? clamp(s.transmittance_chroma + vec2(kChromaBias), 0.0f, 1.0f) : vec2(specular.y, specular.z);
   GBufferTexel t;
-  t.rt0 = vec4(normal, transmits ? s.transmittance_luma : s.occlusion);
-  t.rt1 = vec4(s.albedo, 0.0f);
-  t.rt2 = vec4(s.smoothness, specular.x, chroma.x, chroma.y);
+  t.normal = vec4(normal, transmits ? s.transmittance_luma : s.occlusion);
+  t.albedo = vec4(s.albedo, 0.0f);
+  t.specular = vec4(s.smoothness, specular.x, chroma.x, chroma.y);
   return t;
 }
 
@@ -36,31 +36,31 @@ FN GBufferTexel gbuffer_encode(IN(Surface) s, float bfn_table_value) {
 // 0, which lie halfway between two codes: a small share of the move lets them fall to either side in turn.
 const float kNormalRounding = 1.0f / 16.0f;
 
-// Moves what is about to be rounded by `shift` codes, rounding_shift(). rt1 moves along a square root, whose slope is
+// Moves what is about to be rounded by `shift` codes, rounding_shift(). The albedo moves along a square root, whose slope is
 // within an eighth of the sRGB curve's from 0.05 to 1.
 FN GBufferTexel gbuffer_shifted(IN(GBufferTexel) t, float shift) {
   float step = shift / 255.0f;
   float normal_step = kNormalRounding * step;
-  vec3 root = max(sqrt(vec3(t.rt1.x, t.rt1.y, t.rt1.z)) + vec3(step), vec3(0.0f));
+  vec3 root = max(sqrt(vec3(t.albedo.x, t.albedo.y, t.albedo.z)) + vec3(step), vec3(0.0f));
   GBufferTexel moved;
-  moved.rt0 = t.rt0 + vec4(normal_step, normal_step, normal_step, step);
-  moved.rt1 = vec4(root * root, t.rt1.w);
-  moved.rt2 = t.rt2 + vec4(step);
+  moved.normal = t.normal + vec4(normal_step, normal_step, normal_step, step);
+  moved.albedo = vec4(root * root, t.albedo.w);
+  moved.specular = t.specular + vec4(step);
   return moved;
 }
 
 // A transmitting surface comes back with grey f0 and occlusion 1, every other one with transmittance 0.
 FN Surface gbuffer_decode(IN(GBufferTexel) t, uint material_class) {
   bool transmits = material_class == kClassTransmittance;
-  vec2 chroma = vec2(t.rt2.z, t.rt2.w);
+  vec2 chroma = vec2(t.specular.z, t.specular.w);
   vec2 specular_chroma = transmits ? vec2(kChromaBias) : chroma;
   Surface s;
-  s.normal_ws = bfn_decode(vec3(t.rt0.x, t.rt0.y, t.rt0.z));
-  s.albedo = vec3(t.rt1.x, t.rt1.y, t.rt1.z);
-  s.f0 = specular_decode(vec3(t.rt2.y, specular_chroma.x, specular_chroma.y));
-  s.smoothness = t.rt2.x;
-  s.occlusion = transmits ? 1.0f : t.rt0.w;
-  s.transmittance_luma = transmits ? t.rt0.w : 0.0f;
+  s.normal_ws = bfn_decode(vec3(t.normal.x, t.normal.y, t.normal.z));
+  s.albedo = vec3(t.albedo.x, t.albedo.y, t.albedo.z);
+  s.f0 = specular_decode(vec3(t.specular.y, specular_chroma.x, specular_chroma.y));
+  s.smoothness = t.specular.x;
+  s.occlusion = transmits ? 1.0f : t.normal.w;
+  s.transmittance_luma = transmits ? t.normal.w : 0.0f;
   s.transmittance_chroma = transmits ? chroma - vec2(kChromaBias) : vec2(0.0f);
   s.material_class = material_class;
   return s;

@@ -8,6 +8,7 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -22,6 +23,7 @@ namespace velarium::shading {
 
 using uint = std::uint32_t;
 using glm::mat3;
+using glm::mat4;
 using glm::uvec2;
 using glm::vec2;
 using glm::vec3;

@@ -20,22 +20,22 @@ const float kUnboundedRadius = 1e18f;
 
 // A lamp: KHR_lights_punctual, and what the scene's extras add.
 struct GpuLight {
-  vec4 position_range;  // xyz: world axes, metres, relative to the eye; w: range in metres, 0 without end
+  vec4 position_range;  // xyz: world space, metres; w: range in metres, 0 without end
   vec4 direction;       // xyz: unit, where the light shines to (directional, spot); w: kLightDirectional, ...
   vec4 color;           // rgb: colour times intensity, lux (directional) or candela; w: radius of the bulb in metres (point, spot), sine of the disc's angular radius (directional); 0: no size
   vec4 cone;            // spot: xy: spot_scale_offset(), z: cosine of the outer angle; w: kFalloffInverseSquare, ...
   vec4 projector;       // xyz: unit, where +u of the projected picture goes, at right angles to direction; w: tangent of half its field of view
-  uint shadow_view;     // 1 + the first of the light's views in the shadow atlas, 0: none
   uint projector_layer; // 1 + the layer of the projected picture, 0: none
   uint clip_volume;     // 1 + the volume that the light ends at, 0: none
   uint flags;           // kLightCastsShadow
+  uint unused;
 };
 CHECK_LAYOUT(GpuLight, position_range, 0);
 CHECK_LAYOUT(GpuLight, direction, 16);
 CHECK_LAYOUT(GpuLight, color, 32);
 CHECK_LAYOUT(GpuLight, cone, 48);
 CHECK_LAYOUT(GpuLight, projector, 64);
-CHECK_LAYOUT(GpuLight, shadow_view, 80);
+CHECK_LAYOUT(GpuLight, projector_layer, 80);
 
 struct LightSample {
   vec3 wi;          // unit, from the point towards the light
@@ -51,7 +51,7 @@ FN bool is_spot(IN(GpuLight) l) {
   return l.direction.w > 0.5f * (kLightPoint + kLightSpot);
 }
 
-// The light that arrives at `position` (world axes, relative to the eye), shadows aside, from a light of each kind.
+// The light that arrives at `position` (world space), shadows aside, from a light of each kind.
 // Shaders loop over one kind after the other, so that no light pays for what another kind needs.
 FN LightSample sample_directional(IN(GpuLight) l) {
   LightSample result;

@@ -31,12 +31,12 @@ struct ShadowView {
   vec4 tile;     // x: half its side less half a texel, in atlas coordinates, 0: nothing stands in the view's way;
                  // y: widest filter and z: a texel, in tangents; w: 1 / depth of the nearest BLEND
                  // surface along the axis, metres, 0: there is none
-  vec4 veils;    // atlas coordinates, lowest and highest, at which filters may meet such
+  vec4 translucent;  // atlas coordinates, lowest and highest, at which filters may meet such
 };
 CHECK_LAYOUT(ShadowView, right, 0);
 CHECK_LAYOUT(ShadowView, forward, 32);
 CHECK_LAYOUT(ShadowView, tile, 48);
-CHECK_LAYOUT(ShadowView, veils, 64);
+CHECK_LAYOUT(ShadowView, translucent, 64);
 
 FN bool has_one_view(IN(GpuLight) l) {
   return is_spot(l) && l.cone.z >= kOneViewCosine;
@@ -85,8 +85,8 @@ FN vec2 shadow_view_uv(IN(ShadowView) view, vec3 from_light, float view_depth) {
 }
 
 // May a BLEND surface stand between the light and a place? view_depth, uv: of the place.
-FN bool may_be_veiled(IN(ShadowView) view, float view_depth, vec2 uv) {
-  bool inside = uv.x > view.veils.x && uv.y > view.veils.y && uv.x < view.veils.z && uv.y < view.veils.w;
+FN bool may_be_translucent(IN(ShadowView) view, float view_depth, vec2 uv) {
+  bool inside = uv.x > view.translucent.x && uv.y > view.translucent.y && uv.x < view.translucent.z && uv.y < view.translucent.w;
   return inside && view_depth * view.tile.w > 1.0f;
 }
 

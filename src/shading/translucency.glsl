@@ -22,29 +22,29 @@ FN vec3 blend_transmittance(vec3 base_color, float alpha) {
   return (1.0f - alpha) * blend_dye(base_color, alpha);
 }
 
-// A veil is what a map keeps of all BLEND surfaces along a way from the light: rgb what passes them together, a the depth
+// A translucency map keeps of all BLEND surfaces along a way from the light: rgb what passes them together, a the depth
 // of the one that is nearest to the light, reversed (1 nearest, 0 farthest). Where there is none: (1, 1, 1, 0).
 
-// What is stored in halves is rounded by up to 5e-4 of itself; a surface must not lie behind its own veil for that.
-const float kVeilDepthError = 1e-3f;
+// What is stored in halves is rounded by up to 5e-4 of itself; a surface must not lie behind itself for that.
+const float kTranslucencyDepthError = 1e-3f;
 
-// How far downhill the depth of a veil is taken, texels: a bilinear reading reaches one away on both axes, and there the
+// How far downhill the depth of a surface is taken, texels: a bilinear reading reaches one away on both axes, and there the
 // surface's own plane is nearer to the light by both slopes, at most twice the steeper one.
-const float kVeilSlope = 2.0f;
+const float kTranslucencySlope = 2.0f;
 
-// The depth that a veil keeps. slope: of `depth`, a texel.
-FN float veil_depth(float depth, vec2 slope) {
-  return clamp(depth - kVeilSlope * max(abs(slope.x), abs(slope.y)), 0.0f, 1.0f);
+// The depth that the map keeps. slope: of `depth`, a texel.
+FN float translucency_depth(float depth, vec2 slope) {
+  return clamp(depth - kTranslucencySlope * max(abs(slope.x), abs(slope.y)), 0.0f, 1.0f);
 }
 
-// The least share of light that a receiver's own part is taken out of its veil by: halves hold no less with two digits.
-const float kLeastOwnVeil = 1e-3f;
+// The least share of light that a receiver's own part is taken out of the map by: halves hold no less with two digits.
+const float kLeastReceiverTransmittance = 1e-3f;
 
-// What is left of light at a receiver of this depth: all of it before the veil. own: what passes the receiver itself, whose
-// part in a veil that stands before it does not count; 1 of what is not BLEND.
-FN vec3 past_veil(vec4 veil, float depth, vec3 own) {
-  bool behind = veil.w > depth * (1.0f + kVeilDepthError);
-  vec3 others = vec3(veil.x, veil.y, veil.z) / max(own, vec3(kLeastOwnVeil));
+// What is left of light at a receiver of this depth, by a texel of the map: all of it before the surfaces. receiver: what
+// passes the receiver itself, whose part in what stands before it does not count; 1 of what is not BLEND.
+FN vec3 map_transmittance(vec4 texel, float depth, vec3 receiver) {
+  bool behind = texel.w > depth * (1.0f + kTranslucencyDepthError);
+  vec3 others = vec3(texel.x, texel.y, texel.z) / max(receiver, vec3(kLeastReceiverTransmittance));
   return behind ? min(others, vec3(1.0f)) : vec3(1.0f);
 }
 

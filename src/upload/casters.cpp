@@ -1,8 +1,9 @@
 #include "upload/casters.hpp"
 
 #include "upload/draw_scene.hpp"
-#include "upload/gpu_scene.hpp"
+#include "upload/io.hpp"
 #include "upload/materials.hpp"
+#include "upload/tables.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -10,21 +11,21 @@
 namespace velarium::upload {
 namespace {
 
+#include "upload/caster_io.glsl"
+
 constexpr std::uint32_t kVertex[] =
-#include "shaders/caster.vert.inc"
+#include "shaders/upload/caster.vert.inc"
     ;
 constexpr std::uint32_t kTexturedVertex[] =
-#include "shaders/caster_textured.vert.inc"
+#include "shaders/upload/caster_textured.vert.inc"
     ;
 constexpr std::uint32_t kCutoutFragment[] =
-#include "shaders/caster_cutout.frag.inc"
+#include "shaders/upload/caster_cutout.frag.inc"
     ;
 
 constexpr std::uint32_t kTranslucentFragment[] =
-#include "shaders/caster_translucent.frag.inc"
+#include "shaders/upload/caster_translucent.frag.inc"
     ;
-
-constexpr std::uint32_t kFrameSet = 0, kMaterialSet = 2;
 
 CasterKind kind_of(scene::AlphaMode mode) {
   switch (mode) {
@@ -56,11 +57,11 @@ gpu::RasterState raster_state(const CasterView& view, const scene::Primitive& pr
   std::erase_if(state.vertex_attributes, [&](const gpu::VertexAttribute& attribute) {
     return attribute.location == 1 || attribute.location == 2 || (kind == CasterKind::opaque && attribute.location > 0);
   });
-  if (kind != CasterKind::opaque) state.fragment_constants = {slot_mask(material) & 1u << kSlotBaseColor};
+  if (kind != CasterKind::opaque) state.fragment_constants.set(io::kSlots, slot_mask(material) & 1u << kSlotBaseColor);
   return state;
 }
 
-const gpu::Pipeline& pipeline_of(gpu::Toolbox& tools, const CasterView& view, const scene::Primitive& primitive,
+const gpu::Pipeline& pipeline_of(gpu::GpuContext& tools, const CasterView& view, const scene::Primitive& primitive,
                                  const scene::Material& material, CasterKind kind) {
   const auto state = raster_state(view, primitive, material, kind);
   switch (kind) {
@@ -76,7 +77,7 @@ const gpu::Pipeline& pipeline_of(gpu::Toolbox& tools, const CasterView& view, co
 
 // Binds descriptor sets to one command buffer.
 struct Binder {
-  gpu::Toolbox& tools;
+  gpu::GpuContext& tools;
   VkCommandBuffer commands;
   void set(const gpu::Pipeline& pipeline, std::uint32_t index, const gpu::Bindings& bindings) const {
     const VkDescriptorSet descriptors = tools.descriptors.make(pipeline, index, bindings);
@@ -86,7 +87,7 @@ struct Binder {
 
 }  // namespace
 
-CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& eye) {
+CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& origin) {
   const auto moving = scene::moving_nodes(scene);
   std::vector<std::pair<Caster, const scene::Instance*>> sorted;
   for (const auto& instance : moment.instances) {
@@ -111,7 +112,7 @@ CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment,
   for (auto& [caster, instance] : sorted) {
     caster.draw.first_object = static_cast<std::uint32_t>(table.objects.size());
     table.casters.push_back(caster);
-    table.objects.push_back(object_data(*instance, eye));
+    table.objects.push_back(object_data(*instance, origin));
   }
   return table;
 }
@@ -146,15 +147,15 @@ std::vector<Draw> visible_casters(const CasterTable& table, CasterKind kind, std
   return draws;
 }
 
-gpu::RasterState veil_state(VkFormat depth, bool depth_clamp) {
-  return {.color_formats = {kVeilFormat},
+gpu::RasterState translucency_state(VkFormat depth, bool depth_clamp) {
+  return {.color_formats = {kTranslucencyFormat},
           .depth_format = depth,
           .depth_write = false,
           .depth_clamp = depth_clamp,
-          .blend = gpu::Blend::veil};
+          .blend = gpu::Blend::translucency};
 }
 
-void draw_casters(gpu::Toolbox& tools, VkCommandBuffer commands, const SceneTables& tables, std::span<const Draw> draws,
+void draw_casters(gpu::GpuContext& tools, VkCommandBuffer commands, const Tables& tables, std::span<const Draw> draws,
                   CasterKind kind, const CasterView& view) {
   const auto& scene = tables.gpu->scene();
   const Binder bind{tools, commands};
@@ -165,16 +166,18 @@ void draw_casters(gpu::Toolbox& tools, VkCommandBuffer commands, const SceneTabl
     const auto& pipeline = pipeline_of(tools, view, primitive, material, kind);
     if (&pipeline != bound) {
       vkCmdBindPipeline(commands, pipeline.bind_point(), pipeline.vk());
-      bind.set(pipeline, kFrameSet, gpu::Bindings().buffer(0, tables.frame).buffer(1, tables.caster_objects));
+      bind.set(pipeline, io::ObjectBuffer.set, gpu::Bindings().buffer(io::ObjectBuffer, tables.caster_objects));
+      const CasterPush push{view.clip_from_world};
       vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
-                         sizeof(view.clip_from_world), &view.clip_from_world);
+                         sizeof(push), &push);
       bound = &pipeline;
     }
     if (kind != CasterKind::opaque)
-      bind.set(pipeline, kMaterialSet, material_bindings(tools.samplers, tables, draw.material));
-    tables.gpu->bind_vertices(commands, draw.deformed != scene::kNone);
+      bind.set(pipeline, io::MaterialBuffer.set,
+               material_bindings(tools.samplers, *tables.gpu, tables.texture_quality, draw.material));
+    bind_vertices(commands, tables, draw.deformed != scene::kNone);
     set_facing(commands, draw, material.double_sided ? VkCullModeFlags{VK_CULL_MODE_NONE} : view.cull);
-    tables.gpu->draw(commands, draw);
+    upload::draw(commands, tables, draw);
   }
 }
 

@@ -2,7 +2,7 @@
 
 // What throws shadows, and how it is drawn into maps of depth.
 
-#include "gpu/toolbox.hpp"
+#include "gpu/gpu_context.hpp"
 #include "upload/draws.hpp"
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace velarium::upload {
 
-struct SceneTables;
+struct Tables;
 
 enum class CasterKind : std::uint8_t { opaque, cutout, translucent };  // by AlphaMode: OPAQUE, MASK, BLEND
 
@@ -29,11 +29,12 @@ enum class CasterChoice : std::uint8_t { all, still };  // still: those that nev
 // that a map sees are few draws.
 struct CasterTable {
   std::vector<Caster> casters;      // by gl_InstanceIndex: opaque ones, then cutouts, then translucent ones
-  std::vector<ObjectData> objects;  // the same order; relative to the eye
+  std::vector<ObjectData> objects;  // the same order; relative to the origin
 };
 
 // The scene and the moment must outlive the table.
-[[nodiscard]] CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& eye);
+[[nodiscard]] CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment,
+                                       const glm::dvec3& origin);
 
 // World space; empty where there are none.
 [[nodiscard]] scene::Aabb bounds_of(const CasterTable& table, CasterChoice choice = CasterChoice::all);
@@ -48,25 +49,25 @@ struct CasterTable {
 
 // How casters are drawn.
 struct CasterView {
-  glm::mat4 clip_from_world{1.0f};  // from the scene's axes with their origin at the eye; reversed-Z
+  glm::mat4 clip_from_world{1.0f};  // from world space; reversed-Z
   // Of single-sided surfaces; double-sided ones are never culled. Light stops at both sides of a surface, as it does
   // for the path tracer: walls of one sheet that look into a room keep the sun out of it.
   VkCullModeFlags cull = VK_CULL_MODE_NONE;
   gpu::RasterState state;  // formats, bias, blending: all but topology, vertices and constants
 };
 
-// Of maps of veils, shading/translucency.glsl, and one where no BLEND surface stands.
-inline constexpr VkFormat kVeilFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
-inline constexpr std::array<float, 4> kNoVeil{1.0f, 1.0f, 1.0f, 0.0f};
+// Of translucency maps, shading/translucency.glsl, and a texel where no BLEND surface stands.
+inline constexpr VkFormat kTranslucencyFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+inline constexpr std::array<float, 4> kNoTranslucency{1.0f, 1.0f, 1.0f, 0.0f};
 
 // Of CasterView, for translucent casters: they test depth without writing or biasing it, so that what opaque casters
 // hide dyes nothing.
-[[nodiscard]] gpu::RasterState veil_state(VkFormat depth, bool depth_clamp);
+[[nodiscard]] gpu::RasterState translucency_state(VkFormat depth, bool depth_clamp);
 
 // Draws casters of one kind, between begin_rendering() and end_rendering(): opaque ones and cutouts into depth alone,
-// translucent ones into a colour target by veil_state(), cleared to kNoVeil: rgb becomes what passes them all, a the
-// depth of the one nearest to the light.
-void draw_casters(gpu::Toolbox& tools, VkCommandBuffer commands, const SceneTables& scene, std::span<const Draw> draws,
+// translucent ones into a colour target by translucency_state(), cleared to kNoTranslucency: rgb becomes what passes
+// them all, a the depth of the one nearest to the light.
+void draw_casters(gpu::GpuContext& tools, VkCommandBuffer commands, const Tables& tables, std::span<const Draw> draws,
                   CasterKind kind, const CasterView& view);
 
 }  // namespace velarium::upload

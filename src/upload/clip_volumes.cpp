@@ -18,28 +18,29 @@ glm::dmat3 cofactors(const glm::dmat3& m) {
   return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
 
-glm::vec4 relative_plane(const glm::vec4& plane, const glm::dmat4& eye_from_object) {
-  const glm::dmat3 linear(eye_from_object);
+glm::vec4 relative_plane(const glm::vec4& plane, const glm::dmat4& origin_from_object) {
+  const glm::dmat3 linear(origin_from_object);
   const glm::dmat3 cofactor = cofactors(linear);
   const double side = glm::determinant(linear) < 0.0 ? -1.0 : 1.0;
   const glm::dvec3 unit(plane);
   const glm::dvec3 normal = side * (cofactor * unit);
   const double length = glm::length(normal);
   if (!(length > 0.0)) return kNothing;
-  const glm::dvec3 on_plane = eye_from_object * glm::dvec4(unit * -static_cast<double>(plane.w), 1.0);
+  const glm::dvec3 on_plane = origin_from_object * glm::dvec4(unit * -static_cast<double>(plane.w), 1.0);
   const glm::dvec3 direction = normal / length;
   return {glm::vec3(direction), static_cast<float>(-glm::dot(direction, on_plane))};
 }
 
 // Around the corners of the box that the volume lies in.
-glm::vec4 relative_sphere(const scene::Aabb& bounds, const glm::dmat4& eye_from_object) {
-  const glm::dvec3 middle = eye_from_object * glm::dvec4(0.5 * (glm::dvec3(bounds.min) + glm::dvec3(bounds.max)), 1.0);
+glm::vec4 relative_sphere(const scene::Aabb& bounds, const glm::dmat4& origin_from_object) {
+  const glm::dvec3 middle =
+      origin_from_object * glm::dvec4(0.5 * (glm::dvec3(bounds.min) + glm::dvec3(bounds.max)), 1.0);
   double radius = 0.0;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 place((corner & 1) != 0 ? bounds.max.x : bounds.min.x,
                            (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
                            (corner & 4) != 0 ? bounds.max.z : bounds.min.z);
-    radius = std::max(radius, glm::distance(middle, glm::dvec3(eye_from_object * glm::dvec4(place, 1.0))));
+    radius = std::max(radius, glm::distance(middle, glm::dvec3(origin_from_object * glm::dvec4(place, 1.0))));
   }
   // Surfaces a little outside are asked as if they lay inside: see clip_point(). Twice as much leaves room for
   // rounding.
@@ -49,18 +50,18 @@ glm::vec4 relative_sphere(const scene::Aabb& bounds, const glm::dmat4& eye_from_
 
 }  // namespace
 
-ClipVolumeTable make_clip_volumes(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& eye) {
+ClipVolumeTable make_clip_volumes(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& origin) {
   ClipVolumeTable table;
   const std::size_t count = scene.clip_volumes.size();
   table.records.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const scene::ClipVolume& volume = scene.clip_volumes[i];
-    glm::dmat4 eye_from_object(moment.world_from_clip_volume[i]);
-    eye_from_object[3] -= glm::dvec4(eye, 0.0);
+    glm::dmat4 origin_from_object(moment.world_from_clip_volume[i]);
+    origin_from_object[3] -= glm::dvec4(origin, 0.0);
     const auto first = static_cast<float>(table.records.size());
-    for (const glm::vec4& plane : volume.planes) table.records.push_back(relative_plane(plane, eye_from_object));
+    for (const glm::vec4& plane : volume.planes) table.records.push_back(relative_plane(plane, origin_from_object));
     table.records[i] = {first, static_cast<float>(volume.planes.size()), 0.0f, 0.0f};
-    table.spheres.push_back(relative_sphere(volume.bounds, eye_from_object));
+    table.spheres.push_back(relative_sphere(volume.bounds, origin_from_object));
   }
   return table;
 }
@@ -70,11 +71,12 @@ bool any_clipped(const std::vector<GpuLight>& lights) {
 }
 
 void limit_to_clip_volumes(const std::vector<GpuLight>& lights, const ClipVolumeTable& volumes,
-                           const glm::mat3& view_from_world, std::vector<glm::vec4>& bounds) {
+                           const glm::mat4& view_from_world, std::vector<glm::vec4>& bounds) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
     if (lights[i].clip_volume == 0) continue;
     const glm::vec4& sphere = volumes.spheres[lights[i].clip_volume - 1];
-    if (sphere.w < bounds[i].w) bounds[i] = glm::vec4(view_from_world * glm::vec3(sphere), sphere.w);
+    if (sphere.w < bounds[i].w)
+      bounds[i] = glm::vec4(glm::mat3(view_from_world) * glm::vec3(sphere) + glm::vec3(view_from_world[3]), sphere.w);
   }
 }
 

@@ -23,11 +23,11 @@ struct Candidate {
 };
 
 // Appends a draw for each run of candidates that share their state.
-void add_draws(const std::vector<Candidate>& candidates, const glm::dvec3& eye, std::vector<ObjectData>& objects,
+void add_draws(const std::vector<Candidate>& candidates, const glm::dvec3& origin, std::vector<ObjectData>& objects,
                std::vector<Draw>& draws) {
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const auto& c = candidates[i];
-    objects.push_back(object_data(*c.instance, eye));
+    objects.push_back(object_data(*c.instance, origin));
     if (c.joins && i > 0 && candidates[i - 1].state() == c.state()) {
       ++draws.back().object_count;
       continue;
@@ -92,11 +92,11 @@ Frustum frustum_of(const glm::dmat4& clip_from_world) {
   return {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1], rows[3] - rows[2]};
 }
 
-ObjectData object_data(const scene::Instance& instance, const glm::dvec3& eye) {
+ObjectData object_data(const scene::Instance& instance, const glm::dvec3& origin) {
   const glm::mat4& m = instance.world_from_object;
   ObjectData data{};
   for (int row = 0; row < 3; ++row) {
-    const auto translation = static_cast<float>(static_cast<double>(m[3][row]) - eye[row]);
+    const auto translation = static_cast<float>(static_cast<double>(m[3][row]) - origin[row]);
     data.world_from_object[row] = {m[0][row], m[1][row], m[2][row], translation};
   }
   return data;
@@ -111,8 +111,8 @@ bool overlaps(std::span<const glm::dvec4> planes, const scene::Aabb& box) {
   return true;
 }
 
-DrawList make_draw_list(const scene::Scene& scene, const scene::Moment& moment, const Frustum& frustum,
-                        const Viewpoint& view, std::size_t sorted_triangles) {
+DrawList make_draw_list(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& origin,
+                        const Frustum& frustum, const Viewpoint& view, std::size_t sorted_triangles) {
   std::vector<Candidate> opaque, blended;
   for (const auto& instance : moment.instances) {
     if (instance.bounds.empty() || !overlaps(frustum, instance.bounds)) continue;
@@ -131,8 +131,8 @@ DrawList make_draw_list(const scene::Scene& scene, const scene::Moment& moment, 
   DrawList list;
   const std::size_t sorted_count = choose_sorted(scene, blended, sorted_triangles);
   list.sorted_indices = sort_triangles(scene, moment, view, blended, sorted_count);
-  add_draws(opaque, view.eye, list.objects, list.opaque);
-  add_draws(blended, view.eye, list.objects, list.blended);
+  add_draws(opaque, origin, list.objects, list.opaque);
+  add_draws(blended, origin, list.objects, list.blended);
   return list;
 }
 

@@ -39,11 +39,11 @@ using Frustum = std::array<glm::dvec4, 5>;  // left, right, lower, upper, near
 [[nodiscard]] bool overlaps(std::span<const glm::dvec4> planes, const scene::Aabb& box);
 
 // What shaders know of an instance.
-[[nodiscard]] ObjectData object_data(const scene::Instance& instance, const glm::dvec3& eye);
+[[nodiscard]] ObjectData object_data(const scene::Instance& instance, const glm::dvec3& origin);
 
 // Drops what is outside the frustum, sorts, joins neighbours that differ in their matrix alone, and makes matrices
-// relative to the eye. Of blended surfaces up to `sorted_triangles` are sorted one by one, the nearest objects first.
-[[nodiscard]] DrawList make_draw_list(const scene::Scene& scene, const scene::Moment& moment, const Frustum& frustum,
-                                      const Viewpoint& view, std::size_t sorted_triangles);
+// relative to `origin`. Of blended surfaces up to `sorted_triangles` are sorted one by one, the nearest objects first.
+[[nodiscard]] DrawList make_draw_list(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& origin,
+                                      const Frustum& frustum, const Viewpoint& view, std::size_t sorted_triangles);
 
 }  // namespace velarium::upload

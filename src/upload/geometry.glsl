@@ -2,10 +2,8 @@
 #ifndef VEL_UPLOAD_GEOMETRY_GLSL
 #define VEL_UPLOAD_GEOMETRY_GLSL
 
-#include "upload/gpu_structs.glsl"
-
-layout(set = 0, binding = 0, std430) readonly buffer FrameBuffer { FrameUniforms frame; };
-layout(set = 0, binding = 1, std430) readonly buffer ObjectBuffer { ObjectData objects[]; };
+#include "upload/frame_io.glsl"
+#include "upload/objects_io.glsl"
 
 layout(location = 0) in vec3 in_position;
 layout(location = 1) in vec4 in_normal;

@@ -1,6 +1,7 @@
 #include "upload/gpu_scene.hpp"
 
 #include "core/jobs.hpp"
+#include "upload/io.hpp"
 #include "upload/materials.hpp"
 #include "upload/transfer.hpp"
 
@@ -35,6 +36,9 @@ struct PackedStreams {
     pack_attributes(primitive, frames, uv_choice(material),
                     std::span(attributes).subspan(static_cast<std::size_t>(first), frames.positions.size()));
   }
+  [[nodiscard]] VertexStreams upload(gpu::Device& device) const {
+    return {make_buffer(device, positions, kVertexUsage), make_buffer(device, attributes, kVertexUsage)};
+  }
 };
 
 }  // namespace
@@ -64,62 +68,39 @@ void GpuScene::upload_geometry() {
     streams.fill(ranges_[i].first_vertex, scene_, primitive, primitive.vertices);
     std::copy(primitive.indices.begin(), primitive.indices.end(), indices.begin() + ranges_[i].first_index);
   });
-  fixed_ = {make_buffer(device_, streams.positions, kVertexUsage),
-            make_buffer(device_, streams.attributes, kVertexUsage)};
+  vertices_ = streams.upload(device_);
   indices_ = make_buffer(device_, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
 }
 
-void GpuScene::set_deformed(const scene::Moment& moment) {
-  deformed_first_.assign(moment.deformed.size(), 0);
-  if (moment.deformed.empty()) return;
+DeformedVertices make_deformed(gpu::Device& device, const scene::Scene& scene, const scene::Moment& moment) {
+  DeformedVertices deformed{.first = std::vector<std::int32_t>(moment.deformed.size())};
+  if (moment.deformed.empty()) return deformed;
   PackedStreams streams;
   for (std::size_t i = 0; i < moment.deformed.size(); ++i)
-    deformed_first_[i] = streams.reserve(moment.deformed[i].positions.size());
+    deformed.first[i] = streams.reserve(moment.deformed[i].positions.size());
   for (const auto& instance : moment.instances) {
     if (instance.deformed == scene::kNone) continue;
     const auto i = static_cast<std::size_t>(instance.deformed);
-    streams.fill(deformed_first_[i], scene_, scene_.primitives[instance.primitive], moment.deformed[i]);
+    streams.fill(deformed.first[i], scene, scene.primitives[instance.primitive], moment.deformed[i]);
   }
-  deformed_ = {make_buffer(device_, streams.positions, kVertexUsage),
-               make_buffer(device_, streams.attributes, kVertexUsage)};
+  deformed.vertices = streams.upload(device);
+  return deformed;
 }
 
-void GpuScene::bind_vertices(VkCommandBuffer commands, bool deformed) const {
-  const auto& streams = deformed ? deformed_ : fixed_;
-  const std::array buffers{streams.positions.vk(), streams.attributes.vk()};
-  const std::array<VkDeviceSize, 2> offsets{0, 0};
-  vkCmdBindVertexBuffers(commands, kPositionStream, 2, buffers.data(), offsets.data());
-  vkCmdBindIndexBuffer(commands, indices_.vk(), 0, VK_INDEX_TYPE_UINT32);
-}
-
-std::int32_t GpuScene::first_vertex(const Draw& draw) const {
-  return draw.deformed == scene::kNone ? ranges_[draw.primitive].first_vertex
-                                       : deformed_first_[static_cast<std::size_t>(draw.deformed)];
-}
-
-void GpuScene::draw(VkCommandBuffer commands, const Draw& draw) const {
-  const auto& range = ranges_[draw.primitive];
-  vkCmdDrawIndexed(commands, range.index_count, draw.object_count, range.first_index, first_vertex(draw),
-                   draw.first_object);
-}
-
-void GpuScene::draw_sorted(VkCommandBuffer commands, const Draw& draw) const {
-  vkCmdDrawIndexed(commands, ranges_[draw.primitive].index_count, 1, static_cast<std::uint32_t>(draw.first_sorted),
-                   first_vertex(draw), draw.first_object);
-}
-
-gpu::Bindings material_bindings(gpu::SamplerCache& samplers, const SceneTables& tables, std::uint32_t material) {
-  const auto& scene = tables.gpu->scene();
+gpu::Bindings material_bindings(gpu::SamplerCache& samplers, const GpuScene& gpu_scene, const TextureQuality& quality,
+                                std::uint32_t material) {
+  const auto& scene = gpu_scene.scene();
   const bool is_default = material == scene.materials.size();
   const auto slots =
       slots_of(material_or_default(scene, is_default ? scene::kNone : static_cast<std::int32_t>(material)));
   gpu::Bindings bindings;
   for (std::uint32_t slot = 0; slot < kSlotCount; ++slot) {
-    const auto bound = tables.gpu->textures().bound(*slots[slot], slot);
-    bindings.sampled(slot, bound.image->view(),
-                     samplers.get(sampler_desc(bound.sampler, tables.anisotropy, tables.texture_lod_bias)));
+    const auto bound = gpu_scene.textures().bound(*slots[slot], slot);
+    bindings.sampled({io::base_color_map.set, io::base_color_map.binding + slot, io::base_color_map.type},
+                     bound.image->view(),
+                     samplers.get(sampler_desc(bound.sampler, quality.anisotropy, quality.lod_bias)));
   }
-  bindings.buffer(kSlotCount, tables.gpu->materials(), material * sizeof(MaterialBlock), sizeof(GpuMaterial));
+  bindings.buffer(io::MaterialBuffer, gpu_scene.materials(), material * sizeof(MaterialBlock), sizeof(GpuMaterial));
   return bindings;
 }
 

@@ -1,5 +1,6 @@
 // Tables that cross from the host to the shaders, declared once for both: C++ reads this file through gpu_structs.hpp.
-// std430 layout throughout (GpuMaterial fits std140 as well). World space on the device has the scene's axes and its origin at the eye.
+// std430 layout throughout (GpuMaterial fits std140 as well). World space on the device has
+// the scene's axes and its origin at the main eye of the picture.
 #ifndef VEL_UPLOAD_GPU_STRUCTS_GLSL
 #define VEL_UPLOAD_GPU_STRUCTS_GLSL
 
@@ -8,30 +9,29 @@
 
 const uint kNoSun = 0xffffffffu;
 
-// One frame: the camera, the surroundings, the noise.
+// One frame of one view: the camera, and what differs from frame to frame.
 struct FrameUniforms {
   mat4 clip_from_world;   // with this frame's sub-pixel jitter
-  mat4 view_from_world;   // a rotation
+  mat4 view_from_world;   // a rotation, and where the eye stands
+  vec4 eye;               // xyz: world space
   vec4 ndc_to_view;       // shading/depth.glsl, with the jitter
   vec4 depth_params;      // shading/depth.glsl
   vec4 size;              // width, height in pixels, and their inverses
-  vec4 background;        // rgb linear, premultiplied by the coverage a; where the environment is not shown
-  vec4 environment;       // x: intensity, y z: cosine and sine of its rotation about +Y, w: 1 where it is the background
-  vec4 sh[9];             // rgb: coefficients of the environment's radiance (intensity left out)
-  uint first_point;       // lights are sorted by kind: directional ones, then points from here,
-  uint first_spot;        // then spots from here,
-  uint light_count;       // to here
+  float perspective;      // 1: perspective, 0: orthographic
   uint frame_index;
   uint seed;
-  float perspective;      // 1: perspective, 0: orthographic
-  uint sun_light;         // the directional light that casts shadows; kNoSun where none does
-  float normal_variance;  // 1: that of normal maps' mips widens lobes, 0: it does not
   float rounding;         // rounding_shift() of the frame
 };
-CHECK_LAYOUT(FrameUniforms, ndc_to_view, 128);
-CHECK_LAYOUT(FrameUniforms, sh, 208);
-CHECK_LAYOUT(FrameUniforms, first_point, 352);
-CHECK_LAYOUT(FrameUniforms, perspective, 372);
+CHECK_LAYOUT(FrameUniforms, eye, 128);
+CHECK_LAYOUT(FrameUniforms, perspective, 192);
+
+// Where each kind begins in the table of lights: directional ones, then points from here, then spots from here, to here.
+struct LightRanges {
+  uint first_point;
+  uint first_spot;
+  uint count;
+  uint sun;  // the brightest directional light that casts shadows; kNoSun where none does
+};
 
 // One instance of a primitive. Its index is gl_InstanceIndex.
 struct ObjectData {

@@ -30,13 +30,13 @@ float gpu_falloff(scene::Falloff falloff) {
   return falloff == scene::Falloff::bulb ? shading::kFalloffBulb : shading::kFalloffInverseSquare;
 }
 
-GpuLight gpu_light(const scene::LightInstance& instance, const glm::dvec3& eye,
+GpuLight gpu_light(const scene::LightInstance& instance, const glm::dvec3& origin,
                    std::span<const scene::Projector> pictures) {
   const scene::Light& light = instance.light;
   const glm::vec2 cone = shading::spot_scale_offset(light.inner_cone, light.outer_cone);
   const bool directional = light.kind == scene::LightKind::directional;
   const float size = directional ? std::sin(light.angular_radius) : light.radius;
-  return {.position_range = glm::vec4(glm::vec3(glm::dvec3(instance.position) - eye), light.range),
+  return {.position_range = glm::vec4(glm::vec3(glm::dvec3(instance.position) - origin), light.range),
           .direction = glm::vec4(instance.direction, gpu_kind(light.kind)),
           .color = glm::vec4(glm::min(light.color * light.intensity, kBrightestLight), size),
           .cone = {cone.x, cone.y, std::cos(light.outer_cone), gpu_falloff(light.falloff)},
@@ -58,6 +58,11 @@ std::uint32_t sun_of(const std::vector<GpuLight>& lights) {
   return sun;
 }
 
+// The offset is added last, so that places relative to an eye at the origin keep their bits.
+glm::vec3 to_view(const glm::mat4& view_from_world, const glm::vec3& position) {
+  return glm::mat3(view_from_world) * position + glm::vec3(view_from_world[3]);
+}
+
 glm::vec4 bounding_sphere(const GpuLight& light) {
   const float radius = shading::light_cull_radius(light);
   const glm::vec3 position(light.position_range);
@@ -67,10 +72,10 @@ glm::vec4 bounding_sphere(const GpuLight& light) {
 
 }  // namespace
 
-std::vector<GpuLight> gpu_lights(const std::vector<scene::LightInstance>& lights, const glm::dvec3& eye,
+std::vector<GpuLight> gpu_lights(const std::vector<scene::LightInstance>& lights, const glm::dvec3& origin,
                                  std::span<const scene::Projector> pictures) {
   std::vector<GpuLight> result;
-  for (const auto& instance : lights) result.push_back(gpu_light(instance, eye, pictures));
+  for (const auto& instance : lights) result.push_back(gpu_light(instance, origin, pictures));
   std::stable_sort(result.begin(), result.end(),
                    [](const GpuLight& a, const GpuLight& b) { return a.direction.w < b.direction.w; });
   return result;
@@ -82,20 +87,25 @@ LightRanges light_ranges(const std::vector<GpuLight>& lights) {
                                             [&](const GpuLight& light) { return light.direction.w < kind; });
     return static_cast<std::uint32_t>(first - lights.begin());
   };
-  const auto any = [&](auto condition) { return std::any_of(lights.begin(), lights.end(), condition); };
   return {.first_point = begin_of(shading::kLightPoint),
           .first_spot = begin_of(shading::kLightSpot),
           .count = static_cast<std::uint32_t>(lights.size()),
-          .sun = sun_of(lights),
-          .sized = any([](const GpuLight& light) { return light.color.w > 0.0f; }),
-          .projectors = any([](const GpuLight& light) { return light.projector_layer != 0; })};
+          .sun = sun_of(lights)};
 }
 
-std::vector<glm::vec4> light_bounds(const std::vector<GpuLight>& lights, const glm::mat3& view_from_world) {
+bool any_sized(const std::vector<GpuLight>& lights) {
+  return std::ranges::any_of(lights, [](const GpuLight& light) { return light.color.w > 0.0f; });
+}
+
+bool any_projector(const std::vector<GpuLight>& lights) {
+  return std::ranges::any_of(lights, [](const GpuLight& light) { return light.projector_layer != 0; });
+}
+
+std::vector<glm::vec4> light_bounds(const std::vector<GpuLight>& lights, const glm::mat4& view_from_world) {
   std::vector<glm::vec4> result;
   for (const auto& light : lights) {
     const glm::vec4 sphere = bounding_sphere(light);
-    result.emplace_back(view_from_world * glm::vec3(sphere), sphere.w);
+    result.emplace_back(to_view(view_from_world, glm::vec3(sphere)), sphere.w);
   }
   return result;
 }

@@ -4,24 +4,7 @@
 
 #include "shading/normal_variance.glsl"
 #include "shading/surface.glsl"
-#include "upload/gpu_structs.glsl"
-
-layout(set = 0, binding = 0, std430) readonly buffer FrameBuffer { FrameUniforms frame; };
-
-// A uniform buffer, not a table in a storage buffer: llvmpipe answers a storage read of a helper invocation with 0,
-// and texture coordinates made of that have wrong derivatives along every edge.
-layout(set = 2, binding = 7, std140) uniform MaterialBuffer { GpuMaterial material; };
-layout(set = 2, binding = 0) uniform sampler2D base_color_map;
-layout(set = 2, binding = 1) uniform sampler2D metallic_roughness_map;
-layout(set = 2, binding = 2) uniform sampler2D normal_map;
-layout(set = 2, binding = 3) uniform sampler2D occlusion_map;
-layout(set = 2, binding = 4) uniform sampler2D emissive_map;
-layout(set = 2, binding = 5) uniform sampler2D specular_map;
-layout(set = 2, binding = 6) uniform sampler2D specular_color_map;
-
-// Bit i: slot i has a texture. A constant, not a branch on the material: llvmpipe executes both sides of a branch, and
-// seven filtered fetches cost more than the rest of the surface.
-layout(constant_id = 0) const uint kSlots = 0x7fu;
+#include "upload/material_io.glsl"
 
 // Interpolated over the triangle.
 struct FragmentInput {
@@ -68,7 +51,7 @@ MaterialNormal material_normal(FragmentInput f) {
   vec3 sum = m.x * f.tangent_ws.xyz + m.y * bitangent + m.z * f.normal_ws;
   // Slopes grow with the scale, and so does their deviation.
   float spread = texel.a * scale;
-  return MaterialNormal(normalize(sum) * side, spread * spread * frame.normal_variance);
+  return MaterialNormal(normalize(sum) * side, kBakedNormalSpread ? spread * spread : 0.0);
 }
 
 Surface material_surface(FragmentInput f, vec3 base_color) {

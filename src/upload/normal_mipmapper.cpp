@@ -1,4 +1,5 @@
 #include "gpu/barrier.hpp"
+#include "shading/host.hpp"
 #include "upload/normal_mips.hpp"
 
 #include <algorithm>
@@ -6,16 +7,16 @@
 namespace velarium::upload {
 namespace {
 
+namespace io {
+using namespace shading;
+#include "upload/normal_mips_io.glsl"
+}  // namespace io
+
 constexpr std::uint32_t kShader[] =
-#include "shaders/normal_mips.comp.inc"
+#include "shaders/upload/normal_mips.comp.inc"
     ;
 constexpr std::uint32_t kGroupSize = 2 * 8;  // texels: each thread makes two by two
 constexpr VkDeviceSize kMeanBytes = 16;
-
-struct Push {
-  std::uint32_t from_width, from_height, to_width, to_height;
-  std::uint32_t from_first, to_first, from_base;
-};
 
 std::uint32_t groups(std::uint32_t texels) {
   return (texels + kGroupSize - 1) / kGroupSize;
@@ -50,22 +51,22 @@ void NormalMipmapper::record(VkCommandBuffer commands, const gpu::Image& image) 
   vkCmdBindPipeline(commands, pipeline.bind_point(), pipeline.vk());
   std::uint32_t above = 0, first = 0;
   for (std::uint32_t mip = 1; mip < desc.mips; ++mip) {
-    const Push push{mip_size(desc.width, mip - 1),
-                    mip_size(desc.height, mip - 1),
-                    mip_size(desc.width, mip),
-                    mip_size(desc.height, mip),
-                    above,
-                    first,
-                    mip == 1 ? 1u : 0u};
-    const auto bindings =
-        gpu::Bindings().storage(0, image.mip_view(0)).storage(1, image.mip_view(mip)).buffer(2, means);
+    const io::NormalMipPush push{.from_size = {mip_size(desc.width, mip - 1), mip_size(desc.height, mip - 1)},
+                                 .to_size = {mip_size(desc.width, mip), mip_size(desc.height, mip)},
+                                 .from_first = above,
+                                 .to_first = first,
+                                 .from_base = mip == 1 ? 1u : 0u};
+    const auto bindings = gpu::Bindings()
+                              .storage(io::base, image.mip_view(0))
+                              .storage(io::level, image.mip_view(mip))
+                              .buffer(io::MeansBuffer, means);
     const VkDescriptorSet set = tools_.descriptors.make(pipeline, 0, bindings);
     if (mip > 1) wait_for_stores(commands);
     vkCmdBindDescriptorSets(commands, pipeline.bind_point(), pipeline.layout(), 0, 1, &set, 0, nullptr);
     vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof push, &push);
-    vkCmdDispatch(commands, groups(push.to_width), groups(push.to_height), 1);
+    vkCmdDispatch(commands, groups(push.to_size.x), groups(push.to_size.y), 1);
     above = first;
-    first += push.to_width * push.to_height;
+    first += push.to_size.x * push.to_size.y;
   }
 }
 

@@ -7,7 +7,7 @@
 // a spread of 0.08.
 
 #include "gpu/image.hpp"
-#include "gpu/toolbox.hpp"
+#include "gpu/gpu_context.hpp"
 #include "upload/mips.hpp"
 
 #include <span>
@@ -33,7 +33,7 @@ class NormalMipmapper {
   void reset();
 
  private:
-  gpu::Toolbox tools_;
+  gpu::GpuContext tools_;
   std::vector<gpu::Buffer> means_;  // of images whose commands may still run
 };
 

@@ -130,9 +130,9 @@ class EnvironmentTest : public ::testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(cache_); }
 
-  static gpu::Toolbox& tools() {
+  static gpu::GpuContext& tools() {
     static gpu::Device device(test::device_choice(), true);
-    static gpu::Toolbox toolbox(device);
+    static gpu::GpuContext toolbox(device);
     return toolbox;
   }
 

@@ -194,7 +194,7 @@ class Reports(CliTest):
         self.assertLessEqual(sum(one["bytes"] for one in small), 8 << 20)
 
     def test_dumps(self):
-        self.expect(OK, "render", "builtin:spheres", *SMALL, "--dump", "gbuffer.depth=d.exr", "--dump", "gbuffer.rt0=n.png", "-o", "a.png")
+        self.expect(OK, "render", "builtin:spheres", *SMALL, "--dump", "gbuffer.depth=d.exr", "--dump", "gbuffer.normal=n.png", "-o", "a.png")
         self.assertEqual(self.names(), ["a.png", "d.exr", "n.png"])
         self.assertEqual(read_png(self.folder / "n.png")[:2], (48, 32))
 

@@ -4,7 +4,7 @@
 
 #include "support/device_choice.hpp"
 
-#include "gpu/toolbox.hpp"
+#include "gpu/gpu_context.hpp"
 #include "graph/context.hpp"
 #include "graph/executor.hpp"
 #include "upload/transfer.hpp"
@@ -22,9 +22,9 @@ namespace velarium {
 
 class GpuTest : public ::testing::Test {
  protected:
-  static gpu::Toolbox& tools() {
+  static gpu::GpuContext& tools() {
     static gpu::Device device(test::device_choice(), true);
-    static gpu::Toolbox toolbox(device);
+    static gpu::GpuContext toolbox(device);
     return toolbox;
   }
 

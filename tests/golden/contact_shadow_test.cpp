@@ -119,7 +119,7 @@ TEST(ContactShadows, OnlyALampThatGivesMoreThanHalfOfTheLightThrowsOne) {
 int hidden_pixels(const Scene& scene, const char* options) {
   RenderRequest request = linear_request(kSide, kSide);
   set_options(request.settings, options);
-  request.dumps = {"sun_mask.occlusion"};
+  request.dumps = {"sun_shadow_mask.occlusion"};
   const auto mask = engine().render(scene, request).dumps.front();
   int hidden = 0;
   for (std::size_t y = 0; y < kSide; ++y) hidden += mask.rgba[4 * (kSide * y + kSide / 2)] > 0.5f ? 1 : 0;

@@ -63,10 +63,10 @@ double brightness(const Picture& picture) {
 TEST(ShadowMemory, EveryMapIsReported) {
   const auto maps = maps_of(engine().render(lit_floor(), request("")).report);
   const std::map<std::string, double> texels{
-      {"sun_shadows.cascades", 4 * kMiB},     {"sun_veils.cascades", 8 * kMiB},
+      {"sun_shadows.cascades", 4 * kMiB},     {"sun_translucency.cascades", 8 * kMiB},
       {"far_shadows.map", 8 * kMiB},          {"far_shadows.depth", 4 * kMiB},
-      {"local_shadows.atlas", 4 * kMiB},      {"local_veils.atlas", 8 * kMiB},
-      {"far_shadows_rows.moments", 8 * kMiB}, {"sun_mask.occlusion", 4.0 * kSize * kSize}};
+      {"local_shadows.atlas", 4 * kMiB},      {"local_translucency.atlas", 8 * kMiB},
+      {"far_shadows_rows.moments", 8 * kMiB}, {"sun_shadow_mask.occlusion", 4.0 * kSize * kSize}};
   ASSERT_EQ(maps.size(), texels.size());
   for (const auto& [name, bytes] : texels) {
     ASSERT_TRUE(maps.contains(name)) << name;

@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(SpecularAntiAliasing, BumpyMetal, testing::Values(Bumpy
 // What the G-buffer holds of smoothness.
 std::vector<float> smoothness_of(const Scene& scene, RenderRequest request, const std::string& options) {
   set_options(request.settings, options);
-  request.dumps = {"gbuffer.rt2"};
+  request.dumps = {"gbuffer.specular"};
   const auto result = engine().render(scene, request);
   std::vector<float> values;
   for (std::size_t i = 0; i < result.dumps.front().rgba.size(); i += 4) values.push_back(result.dumps.front().rgba[i]);

@@ -181,9 +181,9 @@ TEST(TranslucencyCosts, NothingWithoutSheets) {
   GltfWriter sheet = floor_under(kLights[0]);
   sheet.add_light(light_of(kLights[2]));
   sheet.add_quad(add_sheet_material(sheet, kRed), {1, 1, 0}, {0, 1, 0}, {0.6f, 0.6f});
-  EXPECT_EQ(passes_of(sheet, ""), (std::vector<std::string>{"local_veils", "sun_veils"}));
+  EXPECT_EQ(passes_of(sheet, ""), (std::vector<std::string>{"local_translucency", "sun_translucency"}));
   EXPECT_TRUE(passes_of(sheet, kOff).empty());
-  EXPECT_EQ(passes_of(sheet, "sun_shadows.translucent=off"), std::vector<std::string>{"local_veils"});
+  EXPECT_EQ(passes_of(sheet, "sun_shadows.translucent=off"), std::vector<std::string>{"local_translucency"});
   EXPECT_GT(bytes(sheet, ""), bytes(sheet, kOff));
 }
 

@@ -2,7 +2,7 @@
 
 #include "support/device_choice.hpp"
 
-#include "gpu/toolbox.hpp"
+#include "gpu/gpu_context.hpp"
 #include "shading/host.hpp"
 #include "upload/transfer.hpp"
 
@@ -15,19 +15,24 @@ namespace velarium {
 namespace {
 
 constexpr std::uint32_t kShader[] =
-#include "shaders/functions.comp.inc"
+#include "shaders/parity/functions.comp.inc"
     ;
+
+namespace io {
+using namespace shading;
+#include "functions_io.glsl"
+}  // namespace io
 
 constexpr std::uint32_t kSamples = 4096;
 
 struct Row {
-  std::uint32_t number;
+  std::uint32_t line;  // of functions.def
   const char* name;
   double ulps;
 };
 
 constexpr Row kRows[] = {
-#define PARITY(number, name, ulps, expression) {number, #name, ulps},
+#define PARITY(name, ulps, expression) {__LINE__, #name, ulps},
 #include "functions.def"
 #undef PARITY
 };
@@ -43,8 +48,8 @@ namespace shading {
   }
 vec4 evaluate_on_host(uint function, vec4 a, vec4 b, [[maybe_unused]] vec4 c) {
   switch (function) {
-#define PARITY(number, name, ulps, expression) \
-  case number:                                 \
+#define PARITY(name, ulps, expression) \
+  case __LINE__:                       \
     return expression;
 #include "functions.def"
 #undef PARITY
@@ -72,7 +77,7 @@ class Parity : public testing::TestWithParam<Row> {
  protected:
   static void SetUpTestSuite() {
     device_ = std::make_unique<gpu::Device>(test::device_choice(), true);
-    tools_ = std::make_unique<gpu::Toolbox>(*device_);
+    tools_ = std::make_unique<gpu::GpuContext>(*device_);
     inputs_ = random_inputs();
   }
   static void TearDownTestSuite() {
@@ -86,12 +91,13 @@ class Parity : public testing::TestWithParam<Row> {
                               gpu::MemoryUse::readback);
     const auto& pipeline = tools_->pipelines.compute(kShader);
     tools_->descriptors.reset();
-    const auto set = tools_->descriptors.make(pipeline, 0, gpu::Bindings().buffer(0, inputs).buffer(1, outputs));
+    const auto bindings = gpu::Bindings().buffer(io::Inputs, inputs).buffer(io::Outputs, outputs);
+    const auto set = tools_->descriptors.make(pipeline, 0, bindings);
     const VkCommandBuffer commands = device_->begin();
     vkCmdBindPipeline(commands, pipeline.bind_point(), pipeline.vk());
     vkCmdBindDescriptorSets(commands, pipeline.bind_point(), pipeline.layout(), 0, 1, &set, 0, nullptr);
-    const std::uint32_t push[2]{function, kSamples};
-    vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push), push);
+    const io::FunctionPush push{function, kSamples};
+    vkCmdPushConstants(commands, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(push), &push);
     vkCmdDispatch(commands, kSamples / 64, 1, 1);
     const VkMemoryBarrier2 barrier{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
                                    .srcStageMask = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
@@ -107,17 +113,17 @@ class Parity : public testing::TestWithParam<Row> {
   }
 
   static inline std::unique_ptr<gpu::Device> device_;
-  static inline std::unique_ptr<gpu::Toolbox> tools_;
+  static inline std::unique_ptr<gpu::GpuContext> tools_;
   static inline std::vector<glm::vec4> inputs_;
 };
 
 TEST_P(Parity, DeviceAgreesWithHost) {
   const Row row = GetParam();
-  const auto device = run_on_device(row.number);
+  const auto device = run_on_device(row.line);
   double worst = 0;
   std::size_t worst_sample = 0;
   for (std::size_t i = 0; i < kSamples; ++i) {
-    const auto host = shading::evaluate_on_host(row.number, inputs_[3 * i], inputs_[3 * i + 1], inputs_[3 * i + 2]);
+    const auto host = shading::evaluate_on_host(row.line, inputs_[3 * i], inputs_[3 * i + 1], inputs_[3 * i + 2]);
     for (int k = 0; k < 4; ++k) {
       ASSERT_TRUE(std::isfinite(host[k]) && std::isfinite(device[i][k])) << "sample " << i;
       const double scale = std::max(std::abs(static_cast<double>(host[k])), 1.0);

@@ -1,9 +1,10 @@
 #version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_samplerless_texture_functions : require
+
+#include "passes/accumulate/accumulate_io.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(constant_id = 0) const bool kFirst = false;
-layout(set = 0, binding = 0) uniform sampler2D hdr;
-layout(set = 0, binding = 1, rgba32f) uniform image2D sum;
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);

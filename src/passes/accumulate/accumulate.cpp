@@ -1,14 +1,19 @@
 #include "passes/accumulate/accumulate.hpp"
 
-#include "graph/context.hpp"
+#include "passes/io.hpp"
 
 namespace velarium::accumulate {
 namespace {
 
+namespace io {
+using namespace shading;
+#include "passes/accumulate/accumulate_io.glsl"
+}  // namespace io
+
 using graph::Access;
 
 constexpr std::uint32_t kShader[] =
-#include "shaders/accumulate.comp.inc"
+#include "shaders/passes/accumulate/accumulate.comp.inc"
     ;
 
 }  // namespace
@@ -18,9 +23,9 @@ graph::GraphImage add(graph::Graph& graph, const Inputs& in) {
   pass.read(in.hdr, Access::compute_sample);
   const auto sum = pass.write(in.sum, Access::compute_storage);
   pass.run([=](graph::Context& c) {
-    const auto& pipeline = c.tools().pipelines.compute(kShader, {in.first ? 1u : 0u});
+    const auto& pipeline = c.tools().pipelines.compute(kShader, gpu::Specialization().set(io::kFirst, in.first));
     c.bind(pipeline);
-    c.set(pipeline, 0).sampled(0, in.hdr).storage(1, sum).bind();
+    c.set(pipeline, 0).sampled(io::hdr, in.hdr).storage(io::sum, sum).bind();
     const auto& size = c.image(sum).desc();
     c.dispatch(size.width, size.height, 8, 8);
   });

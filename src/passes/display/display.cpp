@@ -1,19 +1,27 @@
 #include "passes/display/display.hpp"
 
 #include "core/assert.hpp"
-#include "graph/context.hpp"
-#include "shading/host.hpp"
+#include "passes/io.hpp"
 
 namespace velarium::display {
 namespace {
 
+namespace io {
+using namespace shading;
+#include "passes/display/display_io.glsl"
+}  // namespace io
+namespace average {
+using namespace shading;
+#include "passes/display/average_io.glsl"
+}  // namespace average
+
 using graph::Access;
 
 constexpr std::uint32_t kDisplayShader[] =
-#include "shaders/display.comp.inc"
+#include "shaders/passes/display/display.comp.inc"
     ;
 constexpr std::uint32_t kAverageShader[] =
-#include "shaders/average.comp.inc"
+#include "shaders/passes/display/average.comp.inc"
     ;
 
 static_assert(static_cast<std::uint32_t>(Tonemap::neutral) == shading::kTonemapNeutral);
@@ -21,14 +29,8 @@ static_assert(static_cast<std::uint32_t>(Tonemap::agx) == shading::kTonemapAgx);
 static_assert(static_cast<std::uint32_t>(Tonemap::aces) == shading::kTonemapAces);
 static_assert(static_cast<std::uint32_t>(Tonemap::linear) == shading::kTonemapLinear);
 
-struct DisplayPush {
-  std::array<float, 4> background;  // linear display light; w 1: lies behind, 0: there is none
-  float frame_weight;               // 1 / number of frames
-  std::uint32_t seed;
-};
-
-DisplayPush push_of(const Inputs& in, const Settings& settings) {
-  DisplayPush push{.frame_weight = 1.0f / static_cast<float>(in.frame_count), .seed = settings.seed};
+io::DisplayPush push_of(const Inputs& in, const Settings& settings) {
+  io::DisplayPush push{.frame_weight = 1.0f / static_cast<float>(in.frame_count), .seed = settings.seed};
   if (settings.background) {
     const auto& encoded = *settings.background;
     const auto linear = shading::srgb_decode({encoded[0], encoded[1], encoded[2]});
@@ -61,9 +63,11 @@ graph::GraphBuffer add(graph::Graph& graph, const Inputs& in, const Settings& se
   VEL_ASSERT(settings.bits == 8 || settings.bits == 16);
   auto desc = graph.desc(in.sum);
   desc.format = VK_FORMAT_R16G16B16A16_UINT;
-  const gpu::Specialization constants{static_cast<std::uint32_t>(settings.tonemap),
-                                      static_cast<std::uint32_t>(settings.bits), settings.dither ? 1u : 0u};
-  const DisplayPush push = push_of(in, settings);
+  gpu::Specialization constants;
+  constants.set(io::kTonemap, static_cast<std::uint32_t>(settings.tonemap))
+      .set(io::kBits, static_cast<std::uint32_t>(settings.bits))
+      .set(io::kDither, settings.dither);
+  const io::DisplayPush push = push_of(in, settings);
 
   auto& pass = graph.pass("display");
   pass.read(in.sum, Access::compute_sample).read(in.exposure, Access::compute_sample);
@@ -71,7 +75,11 @@ graph::GraphBuffer add(graph::Graph& graph, const Inputs& in, const Settings& se
   pass.run([=](graph::Context& c) {
     const auto& pipeline = c.tools().pipelines.compute(kDisplayShader, constants);
     c.bind(pipeline);
-    c.set(pipeline, 0).sampled(0, in.sum, gpu::kNearest).buffer(1, in.exposure).storage(2, values).bind();
+    c.set(pipeline, 0)
+        .sampled(io::frame_sum, in.sum)
+        .buffer(io::Exposure, in.exposure)
+        .storage(io::values, values)
+        .bind();
     c.push(pipeline, push);
     c.dispatch(desc.width, desc.height, 8, 8);
   });
@@ -83,12 +91,12 @@ graph::GraphBuffer linear_readback(graph::Graph& graph, graph::GraphImage sum, s
   auto& pass = graph.pass("average");
   pass.read(sum, Access::compute_sample);
   const auto mean = pass.write(graph.image("mean", desc), Access::compute_storage);
-  const float frame_weight = 1.0f / static_cast<float>(frame_count);
+  const average::AveragePush push{1.0f / static_cast<float>(frame_count)};
   pass.run([=](graph::Context& c) {
     const auto& pipeline = c.tools().pipelines.compute(kAverageShader);
     c.bind(pipeline);
-    c.set(pipeline, 0).sampled(0, sum, gpu::kNearest).storage(1, mean).bind();
-    c.push(pipeline, frame_weight);
+    c.set(pipeline, 0).sampled(average::frame_sum, sum).storage(average::mean, mean).bind();
+    c.push(pipeline, push);
     c.dispatch(desc.width, desc.height, 8, 8);
   });
   return read_back(graph, "average_copy", mean, 4 * sizeof(float));

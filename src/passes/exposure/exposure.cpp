@@ -1,21 +1,25 @@
 #include "passes/exposure/exposure.hpp"
 
 #include "core/assert.hpp"
-#include "graph/context.hpp"
-#include "shading/host.hpp"
+#include "passes/io.hpp"
 
 #include <cmath>
 
 namespace velarium::exposure {
 namespace {
 
+namespace io {
+using namespace shading;
+#include "passes/exposure/exposure_io.glsl"
+}  // namespace io
+
 using graph::Access;
 
 constexpr std::uint32_t kPartialShader[] =
-#include "shaders/exposure_partial.comp.inc"
+#include "shaders/passes/exposure/exposure_partial.comp.inc"
     ;
 constexpr std::uint32_t kResolveShader[] =
-#include "shaders/exposure_resolve.comp.inc"
+#include "shaders/passes/exposure/exposure_resolve.comp.inc"
     ;
 
 // Fixed, and so is the order of the sums: every device and driver adds the same numbers in the same order.
@@ -25,14 +29,6 @@ struct Partial {
   float log2_sum, weight;
 };
 
-struct PartialPush {
-  float frame_weight;  // 1 / number of frames
-};
-
-struct ResolvePush {
-  float scale;  // 2^stops
-};
-
 graph::GraphBuffer add_partial(graph::Graph& graph, const Inputs& in) {
   auto& pass = graph.pass("exposure_partial");
   pass.read(in.sum, Access::compute_sample);
@@ -40,8 +36,8 @@ graph::GraphBuffer add_partial(graph::Graph& graph, const Inputs& in) {
   pass.run([=](graph::Context& c) {
     const auto& pipeline = c.tools().pipelines.compute(kPartialShader);
     c.bind(pipeline);
-    c.set(pipeline, 0).sampled(0, in.sum, gpu::kNearest).buffer(1, partial).bind();
-    c.push(pipeline, PartialPush{1.0f / static_cast<float>(in.frame_count)});
+    c.set(pipeline, 0).sampled(io::frame_sum, in.sum).buffer(io::Partials, partial).bind();
+    c.push(pipeline, io::PartialPush{1.0f / static_cast<float>(in.frame_count)});
     c.dispatch(kPartialCount, 1, 1, 1);
   });
   return partial;
@@ -54,8 +50,8 @@ graph::GraphBuffer add_resolve(graph::Graph& graph, graph::GraphBuffer partial, 
   pass.run([=](graph::Context& c) {
     const auto& pipeline = c.tools().pipelines.compute(kResolveShader);
     c.bind(pipeline);
-    c.set(pipeline, 0).buffer(0, partial).buffer(1, exposure).bind();
-    c.push(pipeline, ResolvePush{scale});
+    c.set(pipeline, 0).buffer(io::Partials, partial).buffer(io::Exposure, exposure).bind();
+    c.push(pipeline, io::ResolvePush{scale});
     c.dispatch(1, 1, 1, 1);
   });
   return exposure;

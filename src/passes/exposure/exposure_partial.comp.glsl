@@ -1,6 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_samplerless_texture_functions : require
 
+#include "passes/exposure/exposure_io.glsl"
 #include "shading/display.glsl"
 
 // One group makes one partial sum. It takes every gl_NumWorkGroups.x-th run of 128 pixels, a thread every 128th pixel,
@@ -9,18 +11,16 @@
 const uint kThreads = 128u;
 
 layout(local_size_x = 128) in;
-layout(set = 0, binding = 0) uniform sampler2D sum;
-layout(set = 0, binding = 1, std430) writeonly buffer Partials { vec2 partials[]; };  // sum of weighted log2, of weights
-layout(push_constant) uniform Push { float frame_weight; };
+PUSH(PartialPush);
 
 shared vec2 sums[kThreads];
 
 void main() {
-  uvec2 size = uvec2(textureSize(sum, 0));
+  uvec2 size = uvec2(textureSize(frame_sum, 0));
   uint count = size.x * size.y;
   vec2 mine = vec2(0.0f);
   for (uint i = gl_GlobalInvocationID.x; i < count; i += gl_NumWorkGroups.x * kThreads)
-    mine += weighted_log2_luminance(texelFetch(sum, ivec2(i % size.x, i / size.x), 0) * frame_weight);
+    mine += weighted_log2_luminance(texelFetch(frame_sum, ivec2(i % size.x, i / size.x), 0) * push.frame_weight);
   sums[gl_LocalInvocationIndex] = mine;
   for (uint half_size = kThreads / 2u; half_size > 0u; half_size /= 2u) {
     barrier();

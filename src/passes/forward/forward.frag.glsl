@@ -1,16 +1,13 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_samplerless_texture_functions : require
 
 // Transparent surfaces, shaded where they are drawn, by the same maths and the same light lists as the opaque ones.
 
+#include "passes/forward/forward_io.glsl"
+#include "passes/lighting/read.glsl"
 #include "shading/constants.glsl"
 #include "upload/material.glsl"
-#include "upload/light_lists.glsl"
-#include "upload/sun_shadows.glsl"
-
-layout(constant_id = 20) const uint kLights = 1u;   // 0: the scene has none
-
-layout(set = 1, binding = 3, std430) readonly buffer TileBuffer { uint forward_lists[]; };
 
 layout(location = 0) in vec3 in_normal_ws;
 layout(location = 1) in vec4 in_tangent_ws;
@@ -21,26 +18,20 @@ layout(location = 4) in vec3 in_position_ws;
 layout(location = 0) out vec4 out_hdr;   // premultiplied
 
 uint tile_light_word(uint word) {
-  uint words = (frame.light_count + 31u) / 32u;
+  uint words = (light_ranges.count + 31u) / 32u;
   uint tiles_x = (uint(frame.size.x) + kTileSize - 1u) / kTileSize;
   uvec2 tile = uvec2(gl_FragCoord.xy) / kTileSize;
   return forward_lists[(tile.y * tiles_x + tile.x) * words + word];
 }
 
-float sun_visibility(ShadingPoint p) {
-  float noise = screen_noise(uvec2(gl_FragCoord.xy), frame.frame_index, frame.seed);
-  vec3 lit_side = faceforward(p.face_normal_ws, -sun.axis_z.xyz, p.face_normal_ws);
-  return 1.0 - sun_occlusion(p.position_ws, lit_side, noise);
-}
-
 vec3 shade(FragmentInput f, vec3 base_color) {
-  vec3 wo_ortho = transpose(mat3(frame.view_from_world)) * vec3(0.0, 0.0, 1.0);
-  vec3 wo = frame.perspective > 0.5 ? -normalize(in_position_ws) : wo_ortho;
+  vec3 wo_ortho = transpose(view_rotation()) * vec3(0.0, 0.0, 1.0);
+  vec3 wo = frame.perspective > 0.5 ? -normalize(in_position_ws - frame.eye.xyz) : wo_ortho;
   ShadingPoint p = shading_point(material_surface(f, base_color), in_position_ws, wo);
   p.face_normal_ws = normalize(cross(dFdx(in_position_ws), dFdy(in_position_ws)));
-  vec3 light = material_emissive(f) + environment_light(p, frame);
+  vec3 light = material_emissive(f) + environment_light(p);
   // What is transparent is not in the depth that contact shadows are found in.
-  if (kLights != 0u) light += punctual_lights(p, frame).sum;
+  if (kLights) light += punctual_lights(p).sum;
   return light;
 }
 
@@ -49,7 +40,7 @@ void main() {
   vec4 base_color = material_base_color(f);
   bool unlit = (material.flags & kMaterialUnlit) != 0u || dot(f.normal_ws, f.normal_ws) == 0.0;
   float alpha = clamp(base_color.a, 0.0, 1.0);
-  own_veil = blend_transmittance(clamp(base_color.rgb, 0.0, 1.0), alpha);
+  receiver_transmittance = blend_transmittance(clamp(base_color.rgb, 0.0, 1.0), alpha);
   vec3 radiance = unlit ? base_color.rgb : shade(f, base_color.rgb);
   out_hdr = vec4(min(radiance, kLargestHalf) * alpha, alpha);
 }

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "passes/shading_inputs.hpp"
+#include "passes/illumination.hpp"
 
 namespace velarium::forward {
 
 struct Inputs {
-  passes::ShadingInputs shading;
+  passes::Illumination illumination;  // without the mask of the sun, which knows opaque surfaces alone
+  bool baked_normal_spread = true;    // mips of normal maps widen lobes
   graph::GraphImage depth, hdr;
   graph::GraphBuffer forward_lists;  // version 0: the scene has no light
 };

@@ -2,20 +2,30 @@
 
 #include "passes/light_volumes/plan.hpp"
 
-#include <algorithm>
+#include "upload/io.hpp"
 
-#include "shading/host.hpp"
+#include <algorithm>
 
 namespace velarium::light_volumes {
 namespace {
 
+namespace own {
+using namespace shading;
+#include "passes/light_volumes/light_volumes_io.glsl"
+}  // namespace own
+
+static_assert(static_cast<std::uint32_t>(Shape::screen) == own::kShapeScreen);
+static_assert(static_cast<std::uint32_t>(Shape::quad) == own::kShapeQuad);
+static_assert(static_cast<std::uint32_t>(Shape::sphere) == own::kShapeSphere);
+static_assert(static_cast<std::uint32_t>(Shape::cone) == own::kShapeCone);
+
 using graph::Access;
 
 constexpr std::uint32_t kVertex[] =
-#include "shaders/light_volume.vert.inc"
+#include "shaders/passes/light_volumes/light_volume.vert.inc"
     ;
 constexpr std::uint32_t kFragment[] =
-#include "shaders/light_volume.frag.inc"
+#include "shaders/passes/light_volumes/light_volume.frag.inc"
     ;
 
 // Each light is added to this sum, and the sum to the picture once: in half floats every addition would round.
@@ -36,8 +46,8 @@ gpu::RasterState mark_state(VkFormat depth_format) {
 // Strictly behind the surface, so that what lies at infinity covers no sky.
 gpu::RasterState shade_state(VkFormat depth_format, const Inputs& in, const VolumeDraw& draw) {
   const bool body = is_body(draw.shape) && !draw.marked;
-  auto constants = passes::shading_constants(in.shading);
-  constants.push_back(draw.kind);
+  auto constants = passes::specialization(in.illumination);
+  constants.set(own::kKind, draw.kind);
   return {.topology = body ? VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
           .color_formats = {kSumFormat},
           .depth_format = depth_format,
@@ -79,18 +89,19 @@ class Recorder {
     if (&pipeline == bound_) return;
     bound_ = &pipeline;
     c_.bind(pipeline);
-    auto own = c_.set(pipeline, 0);
-    own.buffer(0, in_.shading.scene.frame).buffer(6, in_.shading.scene.light_bounds);
-    passes::bind(own, in_.surface);
-    own.bind();
+    auto set = c_.set(pipeline, 0);
+    set.buffer(upload::io::FrameBuffer, in_.illumination.scene.frame_buffer)
+        .buffer(own::BoundsBuffer, in_.illumination.scene.view.light_bounds_buffer);
+    gbuffer::bind(set, in_.gbuffer);
+    set.bind();
     auto shared = c_.set(pipeline, 1);
-    passes::bind(shared, in_.shading);
+    passes::bind(shared, in_.illumination);
     shared.bind();
   }
 
   void record(Shape shape, VkCullModeFlags cull, const VolumeDraw& draw) {
     vkCmdSetCullMode(c_.commands(), cull);
-    c_.push(*bound_, shape);
+    c_.push(*bound_, own::VolumePush{static_cast<std::uint32_t>(shape)});
     vkCmdDraw(c_.commands(), vertex_count(shape), draw.light_count, 0, draw.first_light);
   }
 
@@ -125,20 +136,20 @@ void clear_marks(const graph::Context& c, const gpu::ImageDesc& size) {
 }  // namespace
 
 graph::GraphImage add(graph::Graph& graph, const Inputs& in) {
-  const auto& scene = in.shading.scene;
-  const auto draws = plan(scene.host_lights, scene.frame.mapped_as<upload::FrameUniforms>().front());
+  const auto& scene = in.illumination.scene;
+  const auto draws = plan(scene.tables.lights, scene.view.light_bounds, scene.frame);
   if (draws.empty()) return {};
   const bool marks = std::any_of(draws.begin(), draws.end(), [](const VolumeDraw& draw) { return draw.marked; });
-  auto tested = in.surface.depth;
-  if (marks) tested = copy_depth(graph, in.surface.depth);
+  auto tested = in.gbuffer.depth;
+  if (marks) tested = copy_depth(graph, in.gbuffer.depth);
   auto& pass = graph.pass("light_volumes");
-  passes::read(pass, in.surface, Access::fragment_sample);
-  passes::read(pass, in.shading, Access::fragment_sample);
+  gbuffer::declare(pass, in.gbuffer, Access::fragment_sample);
+  passes::declare(pass, in.illumination, Access::fragment_sample);
   if (marks)
     tested = pass.write(tested, Access::depth_attachment);
   else
     pass.read(tested, Access::depth_test);
-  const auto size = graph.desc(in.surface.depth);
+  const auto size = graph.desc(in.gbuffer.depth);
   const auto sum = pass.write(graph.image("sum", {.format = kSumFormat, .width = size.width, .height = size.height}),
                               Access::color_attachment);
   pass.run([in, draws, marks, tested, sum, size](graph::Context& c) {

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "passes/shading_inputs.hpp"
+#include "passes/gbuffer/read.hpp"
+#include "passes/illumination.hpp"
 
 namespace velarium::light_volumes {
 
 struct Inputs {
-  passes::ShadingInputs shading;
-  passes::GBuffer surface;
+  passes::Illumination illumination;
+  gbuffer::Reading gbuffer;
 };
 
 // Draws light after light over the opaque surfaces that it may reach. Returns their sum, rgba32f: rgb: radiance towards

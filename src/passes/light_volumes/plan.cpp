@@ -46,8 +46,8 @@ bool joins(const VolumeDraw& last, const VolumeDraw& next) {
 
 }  // namespace
 
-std::vector<VolumeDraw> plan(std::span<const upload::GpuLight> lights, const upload::FrameUniforms& frame) {
-  const auto bounds = upload::light_bounds({lights.begin(), lights.end()}, glm::mat3(frame.view_from_world));
+std::vector<VolumeDraw> plan(std::span<const upload::GpuLight> lights, std::span<const glm::vec4> bounds,
+                             const upload::FrameUniforms& frame) {
   std::vector<VolumeDraw> draws;
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     auto draw = draw_of(lights[i], bounds[i], frame);

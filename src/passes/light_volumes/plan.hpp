@@ -30,7 +30,8 @@ struct VolumeDraw {
 // and screen, which finds exactly the surfaces inside; a middle one as its body, which finds those before its back; a
 // small one as a quad, which needs no body. Lights that no pixel sees are left out; neighbours of one sort are one
 // draw.
-[[nodiscard]] std::vector<VolumeDraw> plan(std::span<const upload::GpuLight> lights,
+// bounds: upload::View::light_bounds.
+[[nodiscard]] std::vector<VolumeDraw> plan(std::span<const upload::GpuLight> lights, std::span<const glm::vec4> bounds,
                                            const upload::FrameUniforms& frame);
 
 }  // namespace velarium::light_volumes

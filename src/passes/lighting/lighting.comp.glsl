@@ -1,33 +1,18 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_samplerless_texture_functions : require
 
 // Tiled deferred lighting [Schulz 2014, Ryse]: one compute shader finds the lights of each 16x16 tile and shades it.
 // A tile keeps a light when its sphere passes the side planes, the box and the 32-slice depth mask, and a spot when its
 // cone passes as well; the list is a bit mask in light order, so that sums are the same on every run and equal to a loop
 // over all lights. Transparent surfaces get a list of their own.
 
+#include "passes/gbuffer/read.glsl"
+#include "passes/lighting/light_contact.glsl"
+#include "passes/lighting/lighting_own_io.glsl"
+#include "passes/lighting/read.glsl"
 #include "shading/constants.glsl"
 #include "shading/tile_culling.glsl"
-#include "upload/gpu_structs.glsl"
-
-// Threads that share a tile, a divisor of its 256 pixels: see lighting.cpp.
-layout(local_size_x_id = 23) in;
-
-layout(set = 0, binding = 0, std430) readonly buffer FrameBuffer { FrameUniforms frame; };
-layout(set = 0, binding = 6, rgba16f) uniform image2D hdr;       // in: emissive; out: the lit picture
-layout(set = 0, binding = 7) uniform sampler2D background_map;   // equirectangular
-layout(set = 0, binding = 8, std430) readonly buffer BoundsBuffer { vec4 light_bounds[]; };
-layout(set = 0, binding = 9, std430) writeonly buffer TileBuffer { uint forward_lists[]; };
-layout(set = 0, binding = 10) uniform sampler2D lamp_map;        // what light_volumes has found
-
-#include "upload/gbuffer_point.glsl"
-#include "upload/light_lists.glsl"
-
-#include "passes/lighting/lamp_contact.glsl"
-
-layout(constant_id = 20) const uint kTiled = 1u;          // 0: every light at every pixel
-layout(constant_id = 21) const uint kForwardLists = 0u;   // 1: write the lists that transparent surfaces need
-layout(constant_id = 22) const uint kLamps = 1u;          // 0: none shines; 1: asked here; 2: light_volumes has asked them
 
 shared uint tile_min, tile_max;      // bits of positive floats, which order as the floats do
 shared uint tile_depth_mask;
@@ -39,7 +24,7 @@ bool light_reaches(TileVolume tile, vec4 tile_sphere, uint index) {
   vec4 bounds = light_bounds[index];
   if (!tile_overlaps_sphere(tile, bounds.xyz, bounds.w)) return false;
   float depth = -bounds.z;
-  if (index >= frame.first_spot) {
+  if (index >= light_ranges.first_spot) {
     GpuLight l = lights[index];
     if (!cone_overlaps_sphere(l.position_range.xyz, l.direction.xyz, l.cone.z, tile_sphere)) return false;
   }
@@ -66,7 +51,7 @@ void find_tile_depths() {
   bool open = false;
   for (uint i = thread; i < kTilePixels; i += gl_WorkGroupSize.x) {
     uvec2 pixel = tile_pixel(i);
-    float depth = depth_at(ivec2(pixel));
+    float depth = linear_depth_at(ivec2(pixel));
     if (depth > 0.0) {
       nearest = min(nearest, depth);
       farthest = max(farthest, depth);
@@ -80,7 +65,7 @@ void find_tile_depths() {
   barrier();
   uint slices = 0u;
   for (uint i = thread; i < kTilePixels; i += gl_WorkGroupSize.x) {
-    float depth = depth_at(ivec2(tile_pixel(i)));
+    float depth = linear_depth_at(ivec2(tile_pixel(i)));
     if (depth > 0.0) slices |= depth_mask_bit(depth, uintBitsToFloat(tile_min), uintBitsToFloat(tile_max));
   }
   atomicOr(tile_depth_mask, slices);
@@ -88,14 +73,15 @@ void find_tile_depths() {
 
 // May a light reach transparent surfaces of a tile? before: all of it that stands before opaque ones.
 bool light_reaches_before(TileVolume before, vec2 ndc_min, vec2 ndc_max, uint index) {
-  bool asked_everywhere = kTiled == 0u && kLamps == 1u;
+  bool asked_everywhere = !kTiled && kPunctual == kPunctualHere;
   if (asked_everywhere) return true;
   vec4 bounds = light_bounds[index];
   if (!tile_overlaps_sphere_no_near(before, bounds.xyz, bounds.w)) return false;
-  if (index < frame.first_spot) return true;
+  if (index < light_ranges.first_spot) return true;
   GpuLight l = lights[index];
-  mat3 view_from_world = mat3(frame.view_from_world);
-  return spot_reaches_before(bounds, view_from_world * l.position_range.xyz, view_from_world * l.direction.xyz, l.cone.z,
+  mat3 rotation = view_rotation();
+  vec3 position_vs = rotation * l.position_range.xyz + frame.view_from_world[3].xyz;
+  return spot_reaches_before(bounds, position_vs, rotation * l.direction.xyz, l.cone.z,
                              ndc_min, ndc_max, before.z_max, frame.ndc_to_view, frame.perspective);
 }
 
@@ -106,15 +92,15 @@ void write_forward_list(vec2 ndc_min, vec2 ndc_max, uint words) {
   uint base = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * words;
   for (uint word = gl_LocalInvocationIndex; word < words; word += gl_WorkGroupSize.x) {
     uint bits = 0u;
-    for (uint bit = 0u; bit < 32u && word * 32u + bit < frame.light_count; ++bit)
+    for (uint bit = 0u; bit < 32u && word * 32u + bit < light_ranges.count; ++bit)
       if (light_reaches_before(before, ndc_min, ndc_max, word * 32u + bit)) bits |= 1u << bit;
-    forward_lists[base + word] = bits;
+    own_forward_lists[base + word] = bits;
   }
 }
 
 void find_tile_lights() {
   uint thread = gl_LocalInvocationIndex;
-  uint words = (frame.light_count + 31u) / 32u;
+  uint words = (light_ranges.count + 31u) / 32u;
   for (uint i = thread; i < words; i += gl_WorkGroupSize.x) tile_lights[i] = 0u;
   find_tile_depths();
   barrier();
@@ -126,40 +112,42 @@ void find_tile_lights() {
   vec2 ndc_max = (corner + float(kTileSize)) * frame.size.zw * 2.0 - 1.0;
   TileVolume tile = tile_volume(ndc_min, ndc_max, empty ? 0.0 : z_min, z_max, frame.ndc_to_view, frame.perspective);
   vec4 sphere = tile_bounding_sphere(tile);
-  vec4 sphere_ws = vec4(transpose(mat3(frame.view_from_world)) * sphere.xyz, sphere.w);
-  for (uint i = thread; i < frame.light_count && !empty; i += gl_WorkGroupSize.x)
+  vec4 sphere_ws = vec4(transpose(view_rotation()) * sphere.xyz + frame.eye.xyz, sphere.w);
+  for (uint i = thread; i < light_ranges.count && !empty; i += gl_WorkGroupSize.x)
     if (light_reaches(tile, sphere_ws, i)) atomicOr(tile_lights[i / 32u], 1u << (i % 32u));
 
-  if (kForwardLists != 0u) write_forward_list(ndc_min, ndc_max, words);
+  if (kForwardLists) write_forward_list(ndc_min, ndc_max, words);
   barrier();
 }
 
 uint tile_light_word(uint word) {
-  return kTiled != 0u ? tile_lights[word] : 0xffffffffu;
+  return kTiled ? tile_lights[word] : 0xffffffffu;
 }
 
 vec4 background(vec2 ndc) {
-  if (frame.environment.w == 0.0) return frame.background;
+  if (environment.turn.w == 0.0) return environment.background;
   vec3 far_vs = view_position(ndc, 1.0, frame.ndc_to_view, 1.0);
   // Orthographic views look along one direction: the background is then a single point of the environment.
   vec3 direction_vs = frame.perspective > 0.5 ? normalize(far_vs) : vec3(0.0, 0.0, -1.0);
-  vec3 direction_ws = transpose(mat3(frame.view_from_world)) * direction_vs;
-  vec2 uv = equirect_uv(to_environment(direction_ws, frame));
-  return vec4(min(textureLod(background_map, uv, 0.0).rgb * frame.environment.x, kLargestHalf), 1.0);
+  vec3 direction_ws = transpose(view_rotation()) * direction_vs;
+  vec2 uv = equirect_uv(to_environment(direction_ws));
+  vec3 radiance = textureLod(sampler2D(background_map, equirect_sampler), uv, 0.0).rgb * environment.turn.x;
+  return vec4(min(radiance, kLargestHalf), 1.0);
 }
 
-// What lamps add. light_volumes has kept the sum and the key of the lamp that adds the most, which contact shadows need.
-LampLight lamps_of(ShadingPoint p, ivec2 pixel) {
-  if (kLamps == 1u) return punctual_lights(p, frame);
-  if (kLamps == 0u) return LampLight(vec3(0.0), vec3(0.0), 0.0);
-  vec4 texel = texelFetch(lamp_map, pixel, 0);
-  if (kContactShadows == 0u || texel.a == 0.0) return LampLight(texel.rgb, vec3(0.0), 0.0);
-  return LampLight(texel.rgb, light_of(p, lamp_of_key(texel.a), frame), texel.a);
+// What punctual lights add. light_volumes has kept the sum and the key of the light that adds the most, which contact
+// shadows need.
+PunctualLight punctual_light(ShadingPoint p, ivec2 pixel) {
+  if (kPunctual == kPunctualHere) return punctual_lights(p);
+  if (kPunctual == kNoPunctual) return PunctualLight(vec3(0.0), vec3(0.0), 0.0);
+  vec4 texel = texelFetch(volume_light, pixel, 0);
+  if (kContactSteps == 0u || texel.a == 0.0) return PunctualLight(texel.rgb, vec3(0.0), 0.0);
+  return PunctualLight(texel.rgb, light_of(p, light_of_key(texel.a)), texel.a);
 }
 
 void shade(uvec2 at) {
   ivec2 pixel = ivec2(at);
-  float depth = depth_at(ivec2(at));
+  float depth = linear_depth_at(ivec2(at));
   if (depth == 0.0) {
     imageStore(hdr, pixel, background(ndc_of_pixel(pixel)));
     return;
@@ -168,15 +156,16 @@ void shade(uvec2 at) {
   if (material_class == kClassUnlit) return;
 
   ShadingPoint p = gbuffer_point(pixel, depth, material_class);
-  vec3 light = imageLoad(hdr, pixel).rgb + environment_light(p, frame);
-  LampLight lamps = lamps_of(p, pixel);
-  light += lamps.sum;
-  if (kLamps != 0u) light = max(light - hidden_by_contact(p, pixel, depth, lamps, light), vec3(0.0));  // rounding
+  vec3 light = imageLoad(hdr, pixel).rgb + environment_light(p);
+  PunctualLight punctual = punctual_light(p, pixel);
+  light += punctual.sum;
+  if (kPunctual != kNoPunctual)
+    light = max(light - hidden_by_contact(p, pixel, depth, punctual, light), vec3(0.0));  // rounding
   imageStore(hdr, pixel, vec4(min(light, kLargestHalf), 1.0));
 }
 
 void main() {
-  if ((kLamps == 1u && kTiled != 0u) || kForwardLists != 0u) find_tile_lights();
+  if ((kPunctual == kPunctualHere && kTiled) || kForwardLists) find_tile_lights();
   for (uint i = gl_LocalInvocationIndex; i < kTilePixels; i += gl_WorkGroupSize.x) {
     uvec2 pixel = tile_pixel(i);
     if (all(lessThan(vec2(pixel), frame.size.xy))) shade(pixel);

@@ -1,16 +1,20 @@
 #include "passes/lighting/lighting.hpp"
 
+#include "upload/io.hpp"
+
 namespace velarium::lighting {
 namespace {
+
+namespace own {
+using namespace shading;
+#include "passes/lighting/lighting_own_io.glsl"
+}  // namespace own
 
 using graph::Access;
 
 constexpr std::uint32_t kShader[] =
-#include "shaders/lighting.comp.inc"
+#include "shaders/passes/lighting/lighting.comp.inc"
     ;
-
-// The azimuth wraps around.
-constexpr gpu::SamplerDesc kEquirect{.wrap_u = VK_SAMPLER_ADDRESS_MODE_REPEAT};
 
 // Threads that share a tile. A software driver keeps each thread's state at each barrier, so that there few threads
 // with many pixels each are faster; the picture is the same.
@@ -19,23 +23,19 @@ constexpr std::uint32_t kThreadsOnHost = 16;
 
 // llvmpipe ends all loops of a thread after 65535 turns, taken together (Mesa 22.3, LP_MAX_TGSI_LOOP_ITERATIONS):
 // lights after that would be missing.
-constexpr std::uint64_t kMostTurns = 65535;
+constexpr std::uint64_t kMaxLoopIterations = 65535;
 
-// What one pixel may need: the loops over the lists, which have three parts, and for each light those of its shadow.
-std::uint64_t turns_a_pixel(const passes::ShadingInputs& in) {
-  const auto& s = in.settings;
-  const std::uint64_t lights = in.scene.light_ranges.count, words = lights / 32 + 3;
-  // Search, layers, filter; half as many taps find and filter what dyes light.
-  const auto taps = in.scene.light_ranges.sized ? 4 * s.local_shadows.taps : 2;
-  const bool maps = in.shadow_atlas.version != 0;
-  const auto steps = s.contact_shadows.enabled ? s.contact_shadows.steps : 0;  // of one light
-  return words + lights * static_cast<std::uint64_t>(1 + (maps ? taps : 0)) + static_cast<std::uint64_t>(steps);
+// What one pixel may need: the loops over the lists, which have three parts, for each light those of its shadow, and
+// the march of one contact shadow.
+std::uint64_t loop_iterations_per_pixel(const Inputs& in) {
+  const std::uint64_t lights = in.illumination.scene.tables.light_ranges.count, words = lights / 32 + 3;
+  return words + lights * passes::loop_iterations_per_light(in.illumination) + in.contact.steps;
 }
 
-std::uint32_t threads_on_host(const passes::ShadingInputs& in) {
+std::uint32_t threads_on_host(const Inputs& in) {
   constexpr std::uint32_t kPixels = upload::kTileSize * upload::kTileSize;
   std::uint32_t threads = kThreadsOnHost;
-  while (threads < kThreads && turns_a_pixel(in) * (kPixels / threads) > kMostTurns) threads *= 2;
+  while (threads < kThreads && loop_iterations_per_pixel(in) * (kPixels / threads) > kMaxLoopIterations) threads *= 2;
   return threads;
 }
 
@@ -44,49 +44,53 @@ VkDeviceSize list_bytes(const gpu::ImageDesc& size, std::uint32_t light_count) {
   return VkDeviceSize{4} * tiles(size.width) * tiles(size.height) * ((light_count + 31) / 32);
 }
 
-// kLamps of the shader.
-std::uint32_t lamps_constant(const Inputs& in) {
-  if (in.shading.settings.lighting.path == LightingPath::volumes) return in.lamps.version != 0 ? 2 : 0;
-  return in.shading.scene.light_ranges.count > 0 ? 1 : 0;
+std::uint32_t punctual(const Inputs& in) {
+  if (in.path == LightingPath::volumes) return in.volume_light.version != 0 ? own::kPunctualVolumes : own::kNoPunctual;
+  return in.illumination.scene.tables.light_ranges.count > 0 ? own::kPunctualHere : own::kNoPunctual;
+}
+
+// lists: are those of forward surfaces to be written?
+gpu::Specialization specialization(const Inputs& in, bool lists, bool host_is_device) {
+  auto constants = passes::specialization(in.illumination);
+  specialize(constants, in.contact);
+  return constants.set(own::kTiled, in.path == LightingPath::tiled)
+      .set(own::kForwardLists, lists)
+      .set(own::kPunctual, punctual(in))
+      .set(own::kTileThreads, host_is_device ? threads_on_host(in) : kThreads);
 }
 
 }  // namespace
 
 Outputs add(graph::Graph& graph, const Inputs& in) {
-  const auto& scene = in.shading.scene;
-  const bool lists = !scene.draws.blended.empty() && scene.light_ranges.count > 0;
+  const auto& scene = in.illumination.scene;
+  const std::uint32_t light_count = scene.tables.light_ranges.count;
+  const bool lists = !scene.view.draws.blended.empty() && light_count > 0;
   auto& pass = graph.pass("lighting");
-  passes::read(pass, in.surface, Access::compute_sample);
-  passes::read(pass, in.shading, Access::compute_sample);
-  if (in.lamps.version != 0) pass.read(in.lamps, Access::compute_sample);
+  gbuffer::declare(pass, in.gbuffer, Access::compute_sample);
+  passes::declare(pass, in.illumination, Access::compute_sample);
+  if (in.volume_light.version != 0) pass.read(in.volume_light, Access::compute_sample);
   Outputs out{.hdr = pass.write(in.hdr, Access::compute_storage)};
   const auto size = graph.desc(in.hdr);
-  const auto list_buffer = pass.write(
-      graph.buffer("forward_lists", lists ? list_bytes(size, scene.light_ranges.count) : 4), Access::compute_storage);
+  const auto list_buffer =
+      pass.write(graph.buffer("forward_lists", lists ? list_bytes(size, light_count) : 4), Access::compute_storage);
   if (lists) out.forward_lists = list_buffer;
 
-  auto constants = passes::shading_constants(in.shading);
-  constants.insert(constants.end(), {in.shading.settings.lighting.path == LightingPath::tiled ? 1u : 0u,
-                                     lists ? 1u : 0u, lamps_constant(in)});
-  pass.run([in, out, list_buffer, size, constants](graph::Context& c) {
-    auto with_threads = constants;
-    with_threads.push_back(c.tools().device.caps().host_is_device ? threads_on_host(in.shading) : kThreads);
-    const auto& pipeline = c.tools().pipelines.compute(kShader, with_threads);
+  pass.run([in, out, list_buffer, size, lists](graph::Context& c) {
+    const auto& pipeline =
+        c.tools().pipelines.compute(kShader, specialization(in, lists, c.tools().device.caps().host_is_device));
     c.bind(pipeline);
-    auto own = c.set(pipeline, 0);
-    own.buffer(0, in.shading.scene.frame)
-        .storage(6, out.hdr)
-        .sampled(7, in.shading.environment.background, kEquirect)
-        .buffer(8, in.shading.scene.light_bounds)
-        .buffer(9, list_buffer);
-    passes::bind(own, in.surface);
-    if (in.lamps.version != 0)
-      own.sampled(10, in.lamps, gpu::kNearest);
-    else
-      own.sampled(10, in.shading.environment.background);  // bound, never read
-    own.bind();
+    auto set = c.set(pipeline, 0);
+    set.buffer(upload::io::FrameBuffer, in.illumination.scene.frame_buffer)
+        .storage(own::hdr, out.hdr)
+        .sampled(own::background_map, in.illumination.environment.background)
+        .buffer(own::BoundsBuffer, in.illumination.scene.view.light_bounds_buffer)
+        .buffer(own::OwnListBuffer, list_buffer)
+        .sampled(own::volume_light, in.volume_light);
+    gbuffer::bind(set, in.gbuffer);
+    set.bind();
     auto shared = c.set(pipeline, 1);
-    passes::bind(shared, in.shading);
+    passes::bind(shared, in.illumination);
+    contact_shadows::bind(shared, in.contact);
     shared.bind();
     c.dispatch(size.width, size.height, upload::kTileSize, upload::kTileSize);
   });

@@ -1,14 +1,18 @@
 #pragma once
 
-#include "passes/shading_inputs.hpp"
+#include "passes/contact_shadows/read.hpp"
+#include "passes/gbuffer/read.hpp"
+#include "passes/illumination.hpp"
 
 namespace velarium::lighting {
 
 struct Inputs {
-  passes::ShadingInputs shading;
-  passes::GBuffer surface;
-  graph::GraphImage hdr;    // emissive light
-  graph::GraphImage lamps;  // light_volumes: what all lamps reflect; version 0: this pass asks lamps itself
+  passes::Illumination illumination;
+  contact_shadows::Reading contact;
+  gbuffer::Reading gbuffer;
+  graph::GraphImage hdr;  // emissive light
+  LightingPath path = LightingPath::tiled;
+  graph::GraphImage volume_light;  // of LightingPath::volumes: what all lights reflect; version 0: none is seen
 };
 
 struct Outputs {

@@ -90,7 +90,7 @@ double hull_area(std::vector<dvec2>& points) {
 
 }  // namespace
 
-Solid view_solid(const upload::ViewMatrices& view, double far) {
+Solid view_solid(const upload::ViewMatrices& view, const dvec3& eye, double far) {
   const glm::dmat4 projection(view.clip_from_view);
   const bool perspective = projection[3][3] == 0.0;
   const glm::dmat3 world_from_view = glm::transpose(glm::dmat3(view.view_from_world));
@@ -102,7 +102,7 @@ Solid view_solid(const upload::ViewMatrices& view, double far) {
     for (int axis = 0; axis < 2; ++axis)
       place[axis] = perspective ? depth * (ndc[axis] + projection[2][axis]) / projection[axis][axis]
                                 : (ndc[axis] - projection[3][axis]) / projection[axis][axis];
-    corners[i] = world_from_view * dvec3(place, -depth);
+    corners[i] = world_from_view * dvec3(place, -depth) + eye;
   }
   return hexahedron(corners);
 }

@@ -2,7 +2,7 @@
 
 // How much of a picture lies in a part of space.
 
-#include "upload/scene_tables.hpp"
+#include "upload/view.hpp"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -22,8 +22,8 @@ struct Side {
 };
 using Solid = std::vector<Side>;
 
-// What `view` sees up to `far` metres away, relative to its eye.
-[[nodiscard]] Solid view_solid(const upload::ViewMatrices& view, double far);
+// What `view` sees up to `far` metres away from its eye, which stands at `eye`.
+[[nodiscard]] Solid view_solid(const upload::ViewMatrices& view, const glm::dvec3& eye, double far);
 
 [[nodiscard]] Solid box_solid(const glm::dvec3& low, const glm::dvec3& high);
 
@@ -33,7 +33,7 @@ using Solid = std::vector<Side>;
                                   double reach);
 
 // The share of the picture, 0 to 1, that the solids' common part covers; 0 where they have none. The picture's own
-// solid, view_solid(), must be among them. clip_from_world: relative to the eye.
+// solid, view_solid(), must be among them.
 [[nodiscard]] double covered_share(std::span<const Solid* const> solids, const glm::dmat4& clip_from_world);
 
 }  // namespace velarium::local_shadows

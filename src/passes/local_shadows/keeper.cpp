@@ -13,7 +13,7 @@ namespace {
 // A size stays until the wanted one differs by this many octaves: maps that change their size show it.
 constexpr double kHysteresis = 0.6;
 
-// Places and directions are relative to an eye that moves, and rounded there.
+// Places are relative to an origin that moves, and rounded there.
 constexpr double kSame = 1e-4;
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
@@ -28,11 +28,11 @@ bool same_view(const View& a, const glm::dvec3& a_position, const View& b, const
 
 }  // namespace
 
-std::uint64_t fingerprint(const View& view, const glm::dvec3& eye, const upload::CasterTable& casters,
+std::uint64_t fingerprint(const View& view, const glm::dvec3& origin, const upload::CasterTable& casters,
                           bool translucent) {
   std::vector<glm::dvec4> planes;
   const double tangent = view.half_tangent + static_cast<double>(view.kernel);
-  for (const auto& side : pyramid_solid(view.position + eye, view.axes, tangent, view.reach))
+  for (const auto& side : pyramid_solid(view.position + origin, view.axes, tangent, view.reach))
     planes.push_back(side.plane);
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const auto& caster : casters.casters) {
@@ -46,17 +46,17 @@ std::uint64_t fingerprint(const View& view, const glm::dvec3& eye, const upload:
   return hash;
 }
 
-std::size_t MapKeeper::find(const View& view, const glm::dvec3& eye) const {
+std::size_t MapKeeper::find(const View& view, const glm::dvec3& origin) const {
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) {
-    return same_view(view, view.position + eye, kept.view, kept.position_ws);
+    return same_view(view, view.position + origin, kept.view, kept.position_ws);
   });
   return found == kept_.end() ? kNone : static_cast<std::size_t>(found - kept_.begin());
 }
 
-void MapKeeper::drop_unwanted(const std::vector<View>& views, const glm::dvec3& eye) {
+void MapKeeper::drop_unwanted(const std::vector<View>& views, const glm::dvec3& origin) {
   std::vector<bool> wanted(kept_.size());
   for (const auto& view : views)
-    if (const std::size_t at = find(view, eye); at != kNone) wanted[at] = true;
+    if (const std::size_t at = find(view, origin); at != kNone) wanted[at] = true;
   std::vector<Kept> left;
   for (std::size_t i = 0; i < kept_.size(); ++i) {
     if (wanted[i])
@@ -67,12 +67,12 @@ void MapKeeper::drop_unwanted(const std::vector<View>& views, const glm::dvec3& 
   kept_ = std::move(left);
 }
 
-std::vector<std::uint32_t> MapKeeper::sizes(const std::vector<View>& views, const glm::dvec3& eye,
+std::vector<std::uint32_t> MapKeeper::sizes(const std::vector<View>& views, const glm::dvec3& origin,
                                             const Settings& settings) const {
   std::vector<WantedTile> wanted;
   for (const auto& view : views) {
     std::uint32_t size = wanted_size(view, settings);
-    const std::size_t at = find(view, eye);
+    const std::size_t at = find(view, origin);
     const auto octave = static_cast<double>(
         shading::wanted_tile_octave(static_cast<float>(view.pixels), static_cast<float>(settings.density)));
     if (at != kNone && std::abs(octave - std::log2(kept_[at].tile.size)) < kHysteresis) size = kept_[at].tile.size;
@@ -84,10 +84,10 @@ std::vector<std::uint32_t> MapKeeper::sizes(const std::vector<View>& views, cons
 std::vector<MapKeeper::Update> MapKeeper::updates_of(const std::vector<View>& views,
                                                      const std::vector<std::uint64_t>& fingerprints,
                                                      const std::vector<std::uint32_t>& sizes,
-                                                     const glm::dvec3& eye) const {
+                                                     const glm::dvec3& origin) const {
   std::vector<Update> updates;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const std::size_t at = find(views[i], eye);
+    const std::size_t at = find(views[i], origin);
     if (at == kNone) {
       if (sizes[i] > 0) updates.push_back({i, kNone, 1, views[i].importance});
       continue;
@@ -115,17 +115,17 @@ bool MapKeeper::move(Kept& kept, std::uint32_t size) {
 }
 
 std::vector<PlacedView> MapKeeper::place(const std::vector<View>& views, const std::vector<std::uint64_t>& fingerprints,
-                                         const glm::dvec3& eye, const Settings& settings, std::uint32_t updates) {
+                                         const glm::dvec3& origin, const Settings& settings, std::uint32_t updates) {
   if (side_ != atlas_side(settings)) {
     forget();
     side_ = atlas_side(settings);
     room_ = TileRoom(side_);
   }
   ++picture_;
-  drop_unwanted(views, eye);
-  const auto sizes = this->sizes(views, eye, settings);
+  drop_unwanted(views, origin);
+  const auto sizes = this->sizes(views, origin, settings);
   std::vector<bool> redraw(views.size());
-  for (const auto& [view, at, rank, urgency] : updates_of(views, fingerprints, sizes, eye)) {
+  for (const auto& [view, at, rank, urgency] : updates_of(views, fingerprints, sizes, origin)) {
     if (updates == 0) break;
     // What lost its place to more important lights keeps its map until it is in their way.
     if (sizes[view] == 0) {
@@ -136,7 +136,7 @@ std::vector<PlacedView> MapKeeper::place(const std::vector<View>& views, const s
     Kept fresh;
     Kept& kept = at == kNone ? fresh : kept_[at];
     if (!move(kept, sizes[view])) continue;
-    kept = {views[view], views[view].position + eye, kept.tile, fingerprints[view], picture_};
+    kept = {views[view], views[view].position + origin, kept.tile, fingerprints[view], picture_};
     if (at == kNone) kept_.push_back(fresh);
     redraw[view] = true;
     --updates;
@@ -145,7 +145,7 @@ std::vector<PlacedView> MapKeeper::place(const std::vector<View>& views, const s
   std::vector<PlacedView> placed(views.size());
   for (std::size_t i = 0; i < views.size(); ++i) {
     placed[i].view = views[i];
-    const std::size_t at = find(views[i], eye);
+    const std::size_t at = find(views[i], origin);
     if (at == kNone) continue;
     placed[i] = {kept_[at].view, kept_[at].tile, redraw[i]};
     placed[i].view.position = views[i].position;

@@ -11,7 +11,7 @@ namespace velarium::local_shadows {
 
 // What a map shows, in a number: bounds and meshes of the casters it sees. Vertices that move within equal bounds are
 // not noticed. translucent: do such casters count?
-[[nodiscard]] std::uint64_t fingerprint(const View& view, const glm::dvec3& eye, const upload::CasterTable& casters,
+[[nodiscard]] std::uint64_t fingerprint(const View& view, const glm::dvec3& origin, const upload::CasterTable& casters,
                                         bool translucent);
 
 class MapKeeper {
@@ -21,13 +21,13 @@ class MapKeeper {
   // is no longer right. A view without a map has no place: its light shines through until its turn comes.
   // fingerprints: one a view. The maps of before are what earlier calls said; forget() where that is no longer so.
   [[nodiscard]] std::vector<PlacedView> place(const std::vector<View>& views,
-                                              const std::vector<std::uint64_t>& fingerprints, const glm::dvec3& eye,
+                                              const std::vector<std::uint64_t>& fingerprints, const glm::dvec3& origin,
                                               const Settings& settings, std::uint32_t updates);
   void forget() { *this = MapKeeper(); }
 
  private:
   struct Kept {
-    View view;  // as it was drawn, but for its place: that is relative to another eye
+    View view;  // as it was drawn, but for its place: that is relative to another origin
     glm::dvec3 position_ws{0.0};
     Tile tile;
     std::uint64_t fingerprint = 0, drawn = 0;  // drawn: the picture
@@ -40,13 +40,13 @@ class MapKeeper {
   };
   static constexpr std::size_t kNone = ~std::size_t{0};
 
-  void drop_unwanted(const std::vector<View>& views, const glm::dvec3& eye);
-  [[nodiscard]] std::size_t find(const View& view, const glm::dvec3& eye) const;
-  [[nodiscard]] std::vector<std::uint32_t> sizes(const std::vector<View>& views, const glm::dvec3& eye,
+  void drop_unwanted(const std::vector<View>& views, const glm::dvec3& origin);
+  [[nodiscard]] std::size_t find(const View& view, const glm::dvec3& origin) const;
+  [[nodiscard]] std::vector<std::uint32_t> sizes(const std::vector<View>& views, const glm::dvec3& origin,
                                                  const Settings& settings) const;
   [[nodiscard]] std::vector<Update> updates_of(const std::vector<View>& views,
                                                const std::vector<std::uint64_t>& fingerprints,
-                                               const std::vector<std::uint32_t>& sizes, const glm::dvec3& eye) const;
+                                               const std::vector<std::uint32_t>& sizes, const glm::dvec3& origin) const;
   // False where there is no room.
   bool move(Kept& kept, std::uint32_t size);
 

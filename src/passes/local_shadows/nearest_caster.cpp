@@ -66,7 +66,7 @@ float squared_distance(const upload::Caster& caster, const upload::ObjectData& o
 
 }  // namespace
 
-double nearest_caster(const upload::CasterTable& table, const glm::dvec3& eye, const glm::dvec3& position,
+double nearest_caster(const upload::CasterTable& table, const glm::dvec3& origin, const glm::dvec3& position,
                       double nearest, double farthest, bool translucent) {
   const auto enough = static_cast<float>(nearest * nearest);
   auto best = static_cast<float>(farthest * farthest);
@@ -74,9 +74,9 @@ double nearest_caster(const upload::CasterTable& table, const glm::dvec3& eye, c
   for (std::size_t i = 0; i < table.casters.size(); ++i) {
     const auto& caster = table.casters[i];
     if (caster.kind == upload::CasterKind::translucent && !translucent) continue;
-    const glm::dvec3 origin = eye + position;
+    const glm::dvec3 from = origin + position;
     const float box =
-        squared_distance(vec3(glm::dvec3(caster.bounds.min) - origin), vec3(glm::dvec3(caster.bounds.max) - origin));
+        squared_distance(vec3(glm::dvec3(caster.bounds.min) - from), vec3(glm::dvec3(caster.bounds.max) - from));
     if (box < best) boxes.emplace_back(box, i);
   }
   std::sort(boxes.begin(), boxes.end());

@@ -18,15 +18,16 @@ shading::ShadowView shadow_view(const View& view, const Tile& tile, std::uint32_
   const double side = atlas_side, size = tile.size, tangent = tile_tangent(view, tile);
   const double scale = 0.5 * size / (tangent * side);  // atlas coordinates a tangent
   const glm::dvec2 middle = (glm::dvec2(tile.x, tile.y) + 0.5 * size) / side;
-  const bool veiled = view.veils.nearest > 0.0;
+  const bool translucent = view.translucent.nearest > 0.0;
   const glm::dvec2 reach(scale * static_cast<double>(view.kernel) + static_cast<double>(shading::kShadowBorder) / side);
   return {.right = glm::vec4(scale * view.axes[0], middle.x),
           .down = glm::vec4(scale * view.axes[1], middle.y),
           .forward = glm::vec4(view.axes[2], view.near),
           .tile = glm::vec4((0.5 * size - 0.5) / side, view.kernel, 2.0 * tangent / size,
-                            veiled ? 1.0 / view.veils.nearest : 0.0),
-          .veils = veiled ? glm::vec4(middle + scale * view.veils.low - reach, middle + scale * view.veils.high + reach)
-                          : glm::vec4(0.0f)};
+                            translucent ? 1.0 / view.translucent.nearest : 0.0),
+          .translucent = translucent ? glm::vec4(middle + scale * view.translucent.low - reach,
+                                                 middle + scale * view.translucent.high + reach)
+                                     : glm::vec4(0.0f)};
 }
 
 glm::mat4 clip_from_world(const View& view, const Tile& tile) {
@@ -38,9 +39,10 @@ glm::mat4 clip_from_world(const View& view, const Tile& tile) {
   return glm::mat4(glm::transpose(rows));
 }
 
-MapDraw map_draw(const View& view, const Tile& tile, const glm::dvec3& eye) {
-  MapDraw draw{.tile = tile, .clip_from_world = clip_from_world(view, tile), .veiled = view.veils.nearest > 0.0};
-  for (const auto& side : pyramid_solid(view.position + eye, view.axes, tile_tangent(view, tile), view.reach))
+MapDraw map_draw(const View& view, const Tile& tile, const glm::dvec3& origin) {
+  MapDraw draw{
+      .tile = tile, .clip_from_world = clip_from_world(view, tile), .translucent = view.translucent.nearest > 0.0};
+  for (const auto& side : pyramid_solid(view.position + origin, view.axes, tile_tangent(view, tile), view.reach))
     draw.planes.push_back(side.plane);
   return draw;
 }
@@ -67,19 +69,19 @@ std::vector<PlacedView> place_views(const std::vector<View>& views, const Settin
   return placed;
 }
 
-Plan make_plan(const std::vector<PlacedView>& placed, std::span<const shading::GpuLight> lights, const glm::dvec3& eye,
-               std::uint32_t atlas_side) {
+Plan make_plan(const std::vector<PlacedView>& placed, std::span<const shading::GpuLight> lights,
+               const glm::dvec3& origin, std::uint32_t atlas_side) {
   Plan plan;
-  plan.shadow_view.resize(lights.size());
+  plan.first_view.resize(lights.size());
   for (const auto& [view, tile, redraw] : placed) {
     if (!tile) continue;
-    auto& first = plan.shadow_view[view.light];
+    auto& first = plan.first_view[view.light];
     if (first == 0) {
       first = static_cast<std::uint32_t>(plan.views.size()) + 1;
       plan.views.resize(plan.views.size() + view_count(lights[view.light]));
     }
     plan.views[first - 1 + view.face] = shadow_view(view, *tile, atlas_side);
-    if (redraw) plan.draws.push_back(map_draw(view, *tile, eye));
+    if (redraw) plan.draws.push_back(map_draw(view, *tile, origin));
   }
   return plan;
 }

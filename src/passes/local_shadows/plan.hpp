@@ -12,14 +12,14 @@ namespace velarium::local_shadows {
 // A map to be drawn.
 struct MapDraw {
   Tile tile;
-  glm::mat4 clip_from_world{1.0f};  // from the scene's axes with their origin at the eye
+  glm::mat4 clip_from_world{1.0f};  // from the device's world space
   std::vector<glm::dvec4> planes;   // of what the map sees: world space, inward normals
-  bool veiled = false;              // do translucent casters stand in it?
+  bool translucent = false;         // do BLEND surfaces stand in it?
 };
 
 struct Plan {
   std::vector<shading::ShadowView> views;  // 1 or 6 a light that has a map
-  std::vector<std::uint32_t> shadow_view;  // by light, for GpuLight::shadow_view
+  std::vector<std::uint32_t> first_view;   // by light: 1 + its first of `views`, 0: it has no map
   std::vector<MapDraw> draws;
 };
 
@@ -35,6 +35,6 @@ struct PlacedView {
 
 // Precondition: the views are in the order of wanted_views().
 [[nodiscard]] Plan make_plan(const std::vector<PlacedView>& placed, std::span<const shading::GpuLight> lights,
-                             const glm::dvec3& eye, std::uint32_t atlas_side);
+                             const glm::dvec3& origin, std::uint32_t atlas_side);
 
 }  // namespace velarium::local_shadows

@@ -31,14 +31,14 @@ struct Box {
   dvec3 low, high;
 };
 
-Box relative_box(const scene::Aabb& box, const dvec3& eye) {
-  return {dvec3(box.min) - eye, dvec3(box.max) - eye};
+Box relative_box(const scene::Aabb& box, const dvec3& origin) {
+  return {dvec3(box.min) - origin, dvec3(box.max) - origin};
 }
 
-Box bounds_of(const upload::CasterTable& casters, const dvec3& eye) {
+Box bounds_of(const upload::CasterTable& casters, const dvec3& origin) {
   scene::Aabb all;
   for (const auto& caster : casters.casters) all.add(caster.bounds);
-  Box box = relative_box(all, eye);
+  Box box = relative_box(all, origin);
   const dvec3 slack(kBoundsSlack * glm::length(box.high - box.low));
   return {box.low - slack, box.high + slack};
 }
@@ -93,7 +93,7 @@ bool cone_reaches(const GpuLight& light, const dvec3& axis) {
 }
 
 struct NearCasters {
-  std::vector<scene::Aabb> solids, veils;  // opaque ones and cutouts; translucent ones
+  std::vector<scene::Aabb> solids, translucent;  // opaque ones and cutouts; translucent ones
 };
 
 // What all lights of a picture share.
@@ -103,16 +103,19 @@ struct Surroundings {
   bool translucent;  // do such casters count?
   Box bounds;
   Solid seen, scene;
-  glm::dmat4 clip_from_world;  // relative to the eye
+  glm::dmat4 clip_from_world;
 
   Surroundings(const Viewer& viewer_in, const upload::CasterTable& casters_in, bool translucent_in)
       : viewer(viewer_in),
         casters(casters_in),
         translucent(translucent_in),
-        bounds(bounds_of(casters_in, viewer_in.view.eye)) {
-    seen = view_solid(viewer.view, farthest_corner(bounds, dvec3(0.0)));
+        bounds(bounds_of(casters_in, viewer_in.origin)) {
+    const dvec3 eye = viewer.eye();
+    seen = view_solid(viewer.view, eye, farthest_corner(bounds, eye));
     scene = box_solid(bounds.low, bounds.high);
-    clip_from_world = glm::dmat4(viewer.view.clip_from_view) * glm::dmat4(glm::dmat3(viewer.view.view_from_world));
+    glm::dmat4 view_from_world(glm::dmat3(viewer.view.view_from_world));
+    view_from_world[3] = glm::dvec4(-(glm::dmat3(viewer.view.view_from_world) * eye), 1.0);
+    clip_from_world = glm::dmat4(viewer.view.clip_from_view) * view_from_world;
   }
 
   [[nodiscard]] bool sees_sphere(const dvec3& center, double radius) const {
@@ -124,11 +127,11 @@ struct Surroundings {
   [[nodiscard]] NearCasters casters_around(const dvec3& position, double reach) const {
     NearCasters found;
     for (const auto& caster : casters.casters) {
-      const bool veil = caster.kind == upload::CasterKind::translucent;
-      if (veil && !translucent) continue;
-      const Box box = relative_box(caster.bounds, viewer.view.eye);
+      const bool is_translucent = caster.kind == upload::CasterKind::translucent;
+      if (is_translucent && !translucent) continue;
+      const Box box = relative_box(caster.bounds, viewer.origin);
       if (reaches(box, position, reach))
-        (veil ? found.veils : found.solids).push_back({glm::vec3(box.low), glm::vec3(box.high)});
+        (is_translucent ? found.translucent : found.solids).push_back({glm::vec3(box.low), glm::vec3(box.high)});
     }
     return found;
   }
@@ -144,10 +147,10 @@ std::vector<scene::Aabb> inside(const Solid& solid, const std::vector<scene::Aab
 }
 
 // Of boxes that reach before the near plane no tangent is known: they may be anywhere.
-VeilBounds veil_bounds(const View& view, const std::vector<scene::Aabb>& boxes) {
+TranslucentBounds translucent_bounds(const View& view, const std::vector<scene::Aabb>& boxes) {
   if (boxes.empty()) return {};
   const double all = view.half_tangent + static_cast<double>(view.kernel);
-  VeilBounds bounds{view.reach, glm::dvec2(all), glm::dvec2(-all)};
+  TranslucentBounds bounds{view.reach, glm::dvec2(all), glm::dvec2(-all)};
   for (const auto& box : boxes)
     for (int i = 0; i < 8; ++i) {
       const dvec3 corner((i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
@@ -168,7 +171,7 @@ float kernel_of(const GpuLight& light, const View& view, const Surroundings& aro
   const float radius = light.color.w;
   if (radius == 0.0f) return 0.0f;
   const double far = static_cast<double>(shading::kKernelMargin * radius / shading::kKernelStep);
-  const double nearest = nearest_caster(around.casters, around.viewer.view.eye, view.position, view.near,
+  const double nearest = nearest_caster(around.casters, around.viewer.origin, view.position, view.near,
                                         std::max(far, view.near), around.translucent);
   return shading::widest_kernel(static_cast<float>(view.half_tangent), radius, static_cast<float>(nearest));
 }
@@ -179,7 +182,7 @@ void add_views(const GpuLight& light, std::uint32_t index, const Surroundings& a
       std::min(static_cast<double>(shading::light_cull_radius(light)), farthest_corner(around.bounds, position));
   if (!(reach > 0.0) || !around.sees_sphere(position, reach)) return;
   const auto near = around.casters_around(position, reach);
-  if (near.solids.empty() && near.veils.empty()) return;
+  if (near.solids.empty() && near.translucent.empty()) return;
   const double half_tangent = half_tangent_of(light), radius = static_cast<double>(light.color.w);
   View view{.light = index,
             .position = position,
@@ -198,9 +201,9 @@ void add_views(const GpuLight& light, std::uint32_t index, const Surroundings& a
     const Solid pyramid = pyramid_solid(position, view.axes, tangent, reach);
     const std::array<const Solid*, 3> solids{&around.seen, &pyramid, &around.scene};
     view.pixels = covered_share(solids, around.clip_from_world) * around.viewer.size.x * around.viewer.size.y;
-    const auto veils = inside(pyramid, near.veils);
-    if (view.pixels <= 0.0 || (veils.empty() && inside(pyramid, near.solids).empty())) continue;
-    view.veils = veil_bounds(view, veils);
+    const auto translucent = inside(pyramid, near.translucent);
+    if (view.pixels <= 0.0 || (translucent.empty() && inside(pyramid, near.solids).empty())) continue;
+    view.translucent = translucent_bounds(view, translucent);
     pixels += view.pixels;
     views.push_back(view);
   }

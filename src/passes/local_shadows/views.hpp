@@ -1,9 +1,10 @@
 #pragma once
 
-// What the maps of lights look at, and how large they should be. Pure functions: places relative to the eye.
+// What the maps of lights look at, and how large they should be. Pure functions: places relative to the origin
+// (upload::Tables).
 
 #include "passes/local_shadows/coverage.hpp"
-#include "upload/casters.hpp"
+#include "upload/view.hpp"
 
 #include <velarium/settings.hpp>
 
@@ -20,11 +21,13 @@ using Settings = velarium::Settings::local_shadows_settings;
 // The picture that maps are made for.
 struct Viewer {
   const upload::ViewMatrices& view;
-  glm::uvec2 size{1};  // pixels
+  glm::uvec2 size{1};      // pixels
+  glm::dvec3 origin{0.0};  // world space of the scene: of places
+  [[nodiscard]] glm::dvec3 eye() const { return view.eye - origin; }
 };
 
 // Where a view's translucent casters stand.
-struct VeilBounds {
+struct TranslucentBounds {
   double nearest = 0.0;            // along forward, metres; 0: there is none
   glm::dvec2 low{0.0}, high{0.0};  // tangents to the right and down, without what filters need around them
 };
@@ -40,7 +43,7 @@ struct View {
   float kernel = 0.0f;               // the widest filter, tangents
   double pixels = 0.0;               // of the picture, that what it lights may cover
   double importance = 0.0;           // of the light: candela times pixels
-  VeilBounds veils;
+  TranslucentBounds translucent;
 };
 
 // How many views a light has, seen or not: 1 or 6.

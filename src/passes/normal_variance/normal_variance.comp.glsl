@@ -1,22 +1,18 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_samplerless_texture_functions : require
 
 // The variance of normals between a pixel and its neighbours on the same surface widens its lobe [Schulz 2014, Ryse;
 // after Mittring & Dudash 2012].
 
+#include "passes/gbuffer/gbuffer_io.glsl"
+#include "passes/normal_variance/normal_variance_io.glsl"
 #include "shading/depth.glsl"
 #include "shading/normal_encoding.glsl"
 #include "shading/normal_variance.glsl"
-#include "upload/gpu_structs.glsl"
+#include "upload/frame.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-
-layout(set = 0, binding = 0, std430) readonly buffer FrameBuffer { FrameUniforms frame; };
-layout(set = 0, binding = 1) uniform sampler2D rt0;
-layout(set = 0, binding = 2) uniform sampler2D depth_map;
-layout(set = 0, binding = 3, rgba8) uniform image2D rt2;   // r: smoothness, g: Y of f0
-
-layout(push_constant, std430) uniform Push { float share; uint dim_dielectrics; };
 
 const float kNowhere = 1e30;
 
@@ -35,7 +31,7 @@ struct Center {
 // neighbour across it. On the surface is what is as deep as the center, or lies in that plane; what faces another way
 // is another surface, beyond an edge.
 vec4 weighted_normal(ivec2 pixel, float device_depth, float expected, Center center) {
-  vec3 stored = texelFetch(rt0, pixel, 0).rgb;
+  vec3 stored = texelFetch(gbuffer_normal, pixel, 0).rgb;
   if (device_depth <= 0.0 || stored == vec3(0.0)) return vec4(0.0);   // nothing, or unlit
   float z = view_depth(device_depth, frame.depth_params);
   float off_m = min(abs(z - center.z), abs(z - view_depth_or_nowhere(expected)));
@@ -48,7 +44,7 @@ vec4 weighted_normal(ivec2 pixel, float device_depth, float expected, Center cen
 vec4 weighted_normals(ivec2 pixel, ivec2 axis, Center center) {
   ivec2 last = ivec2(frame.size.xy) - 1;
   ivec2 before = max(pixel - axis, ivec2(0)), after = min(pixel + axis, last);
-  float depth_before = texelFetch(depth_map, before, 0).r, depth_after = texelFetch(depth_map, after, 0).r;
+  float depth_before = texelFetch(gbuffer_depth, before, 0).r, depth_after = texelFetch(gbuffer_depth, after, 0).r;
   return weighted_normal(before, depth_before, 2.0 * center.device_depth - depth_after, center) +
          weighted_normal(after, depth_after, 2.0 * center.device_depth - depth_before, center);
 }
@@ -56,19 +52,19 @@ vec4 weighted_normals(ivec2 pixel, ivec2 axis, Center center) {
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, ivec2(frame.size.xy)))) return;
-  vec4 stored = imageLoad(rt2, pixel);
+  vec4 stored = imageLoad(specular, pixel);
   if (stored.r <= kScreenFilterLeastSmoothness) return;   // where nothing is lit it is 0
   Center center;
-  center.device_depth = texelFetch(depth_map, pixel, 0).r;
+  center.device_depth = texelFetch(gbuffer_depth, pixel, 0).r;
   center.z = view_depth(center.device_depth, frame.depth_params);
-  center.normal_ws = bfn_decode(texelFetch(rt0, pixel, 0).rgb);
+  center.normal_ws = bfn_decode(texelFetch(gbuffer_normal, pixel, 0).rgb);
   vec4 sum = vec4(center.normal_ws, 1.0);
   sum += weighted_normals(pixel, ivec2(1, 0), center);
   sum += weighted_normals(pixel, ivec2(0, 1), center);
 
-  float spread2 = min(share * spread2_from_screen_mean(length(sum.xyz) / sum.w), kScreenMostSpread2);
+  float spread2 = min(push.share * spread2_from_screen_mean(length(sum.xyz) / sum.w), kScreenMostSpread2);
   float widened = widened_smoothness(stored.r, spread2);
-  if (dim_dielectrics != 0u) stored.g = dimmed_specular_y(stored.g, stored.r, widened);
+  if (push.dim_dielectrics != 0u) stored.g = dimmed_specular_y(stored.g, stored.r, widened);
   stored.r = widened;
-  imageStore(rt2, pixel, stored);
+  imageStore(specular, pixel, stored);
 }

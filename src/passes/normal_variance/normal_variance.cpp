@@ -1,50 +1,50 @@
 #include "passes/normal_variance/normal_variance.hpp"
 
-#include "graph/context.hpp"
+#include "upload/io.hpp"
 
 #include <cmath>
 
 namespace velarium::normal_variance {
 namespace {
 
+namespace io {
+using namespace shading;
+#include "passes/normal_variance/normal_variance_io.glsl"
+}  // namespace io
+
 using graph::Access;
 
 constexpr std::uint32_t kShader[] =
-#include "shaders/normal_variance.comp.inc"
+#include "shaders/passes/normal_variance/normal_variance.comp.inc"
     ;
 
-struct Push {
-  float share;  // of the variance between the taps: what one frame of the picture should see of it
-  std::uint32_t dim_dielectrics;
-};
-
 // Frames that are averaged look at finer parts of a pixel each: by the level that textures are sharpened.
-float share_of_a_frame(const upload::SceneTables& scene, const Settings& settings) {
-  return settings.strength * shading::kScreenShare * std::exp2(2.0f * scene.texture_lod_bias);
+float share_of_a_frame(const upload::Tables& tables, const Settings& settings) {
+  return settings.strength * shading::kScreenShare * std::exp2(2.0f * tables.texture_quality.lod_bias);
 }
 
 }  // namespace
 
 graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings& settings) {
-  if (!settings.screen) return in.rt2;
+  if (!settings.screen) return in.gbuffer.specular;
   auto& pass = graph.pass("normal_variance");
-  pass.read(in.rt0, Access::compute_sample).read(in.depth, Access::compute_sample);
-  const auto rt2 = pass.write(in.rt2, Access::compute_storage);
-  const Push push{share_of_a_frame(in.scene, settings), settings.dim_dielectrics ? 1u : 0u};
+  pass.read(in.gbuffer.normal, Access::compute_sample).read(in.gbuffer.depth, Access::compute_sample);
+  const auto specular = pass.write(in.gbuffer.specular, Access::compute_storage);
+  const io::NormalVariancePush push{share_of_a_frame(in.scene.tables, settings), settings.dim_dielectrics ? 1u : 0u};
   pass.run([=](graph::Context& c) {
     const auto& pipeline = c.tools().pipelines.compute(kShader);
     c.bind(pipeline);
     c.set(pipeline, 0)
-        .buffer(0, in.scene.frame)
-        .sampled(1, in.rt0, gpu::kNearest)
-        .sampled(2, in.depth)
-        .storage(3, rt2)
+        .buffer(upload::io::FrameBuffer, in.scene.frame_buffer)
+        .sampled(gbuffer::io::gbuffer_normal, in.gbuffer.normal)
+        .sampled(gbuffer::io::gbuffer_depth, in.gbuffer.depth)
+        .storage(io::specular, specular)
         .bind();
     c.push(pipeline, push);
-    const auto& size = c.image(rt2).desc();
+    const auto& size = c.image(specular).desc();
     c.dispatch(size.width, size.height, 8, 8);
   });
-  return rt2;
+  return specular;
 }
 
 }  // namespace velarium::normal_variance

@@ -14,7 +14,7 @@ namespace {
 // Depths are rounded outwards to this share of an octave.
 constexpr double kStepsAnOctave = 4.0;
 constexpr double kSmallestScene = 1e-6;  // metres
-// Of what ends before it begins, for `longest` is nearer, something is left.
+// The range keeps this share of its far depth where `longest` would end it before the scene begins.
 constexpr double kNearestShare = 0.5;
 // Space before and behind what a map sees, as a share of it, so that rounding cuts nothing off.
 constexpr double kDepthGuard = 1e-3;
@@ -82,7 +82,7 @@ Map fit_map(const glm::dmat3& axes, const Sphere& sphere, const MapLimits& limit
   map.corner = glm::floor((glm::dvec2(center) - 0.5 * map.side) / texel) * texel;
   // The sphere may stand before or behind all that there is, which then is what the map sees of it.
   const double front = std::clamp(center.z + sphere.radius, limits.scene.low.z, limits.scene.high.z);
-  map.z_near = std::min(limits.scene.high.z, front + limits.reach);
+  map.z_near = std::min(limits.scene.high.z, front + limits.blocker_distance);
   // At the end of the scene no other map takes over: the map goes on by as much as that would need.
   const double end = limits.scene.low.z - 0.5 * static_cast<double>(shading::kCascadeBlend) * map.side;
   map.z_far = std::min(std::max(end, center.z - sphere.radius), map.z_near);

@@ -44,8 +44,9 @@ using Map = passes::SunMap;
 struct MapLimits {
   passes::LightBox scene;  // the bounds of all casters
   double margin = 0.0;     // metres: the widest filter
-  double reach = 0.0;      // metres towards the sun from which casters are drawn as they stand; others are clamped
-  int size = 1;            // texels
+  // Metres towards the sun from which casters are drawn as they stand; others are clamped.
+  double blocker_distance = 0.0;
+  int size = 1;  // texels
 };
 
 // A map of the sphere's surroundings, its corner on whole texels.

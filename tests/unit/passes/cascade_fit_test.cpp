@@ -45,7 +45,7 @@ glm::dvec3 corner_at(const View& view, double depth, double x, double y) {
 }
 
 MapLimits limits_of(int size, double margin = 0.0) {
-  return {.scene = {glm::dvec3(-1e4), glm::dvec3(1e4)}, .margin = margin, .reach = 100.0, .size = size};
+  return {.scene = {glm::dvec3(-1e4), glm::dvec3(1e4)}, .margin = margin, .blocker_distance = 100.0, .size = size};
 }
 
 TEST(Splits, FollowThePracticalScheme) {
@@ -158,7 +158,7 @@ TEST(Maps, HoldTheirSphereAndFilters) {
     // The sphere's outermost points are inside what a filter leaves, seen from an eye at its centre.
     for (int k = 0; k < 8; ++k) {
       const glm::dvec3 at = random.direction() * sphere.radius;
-      const glm::vec3 place = shading::cascade_place(cascade, glm::vec3(axes * at));
+      const glm::vec3 place = shading::shadow_coord(cascade, glm::vec3(axes * at));
       EXPECT_GT(shading::cascade_weight(cascade, place), 0.0f);
       EXPECT_GE(place.z, 0.0f);
       EXPECT_LE(place.z, 1.0f);
@@ -176,7 +176,7 @@ TEST(Maps, AreTheSameToRasterAndToShaders) {
   for (int i = 0; i < 100; ++i) {
     const glm::vec3 from_eye(random.point(10.0));
     const glm::vec4 clipped = clip * glm::vec4(from_eye, 1.0f);
-    const glm::vec3 place = shading::cascade_place(cascade, glm::vec3(axes * glm::dvec3(from_eye)));
+    const glm::vec3 place = shading::shadow_coord(cascade, glm::vec3(axes * glm::dvec3(from_eye)));
     EXPECT_NEAR(0.5f * clipped.x + 0.5f, place.x, 2e-6f);
     EXPECT_NEAR(0.5f * clipped.y + 0.5f, place.y, 2e-6f);
     EXPECT_NEAR(clipped.z, place.z, 2e-6f);
@@ -196,8 +196,8 @@ TEST(Maps, KnowThePlaneOfAPoint) {
     normal.z = std::abs(normal.z) + 0.1;
     normal = glm::normalize(normal);
     const glm::dvec3 along = glm::cross(normal, random.direction());
-    const glm::vec3 here = shading::cascade_place(cascade, glm::vec3(0.0f));
-    const glm::vec3 there = shading::cascade_place(cascade, glm::vec3(along));
+    const glm::vec3 here = shading::shadow_coord(cascade, glm::vec3(0.0f));
+    const glm::vec3 there = shading::shadow_coord(cascade, glm::vec3(along));
     const glm::vec2 slope = shading::cascade_slope(cascade, glm::vec3(normal));
     EXPECT_NEAR(here.z + glm::dot(slope, glm::vec2(there) - glm::vec2(here)), there.z, 1e-5f);
   }

@@ -1,6 +1,7 @@
 // How lights are drawn as bodies, by what they cover of the screen.
 
 #include "passes/light_volumes/plan.hpp"
+#include "upload/lights.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +39,8 @@ upload::GpuLight spot(const vec3& position, float range, float cos_outer) {
 }
 
 std::vector<VolumeDraw> plan_of(std::initializer_list<upload::GpuLight> lights) {
-  return plan({lights.begin(), lights.size()}, square_view());
+  const auto frame = square_view();
+  return plan({lights.begin(), lights.size()}, upload::light_bounds(lights, frame.view_from_world), frame);
 }
 
 TEST(LightVolumePlan, LightsWithoutAnEndCoverTheScreen) {

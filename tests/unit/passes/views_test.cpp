@@ -65,7 +65,7 @@ std::vector<std::uint32_t> faces_of(const std::vector<View>& views) {
 
 TEST(ShadowCoverage, ABoxInFrontOfTheCameraCoversItsNearSide) {
   const auto view = camera();
-  const Solid seen = view_solid(view, 100.0), box = box_solid({-1, -1, -12}, {1, 1, -10});
+  const Solid seen = view_solid(view, glm::dvec3(0.0), 100.0), box = box_solid({-1, -1, -12}, {1, 1, -10});
   const std::array<const Solid*, 2> solids{&seen, &box};
   // 2 of 20 metres at a depth of 10, on both axes.
   EXPECT_NEAR(covered_share(solids, glm::dmat4(view.clip_from_view)), 0.01, 1e-9);
@@ -73,14 +73,14 @@ TEST(ShadowCoverage, ABoxInFrontOfTheCameraCoversItsNearSide) {
 
 TEST(ShadowCoverage, WhatHoldsTheWholeViewCoversAllOfIt) {
   const auto view = camera();
-  const Solid seen = view_solid(view, 100.0), box = box_solid(glm::dvec3(-500), glm::dvec3(500));
+  const Solid seen = view_solid(view, glm::dvec3(0.0), 100.0), box = box_solid(glm::dvec3(-500), glm::dvec3(500));
   const std::array<const Solid*, 2> solids{&seen, &box};
   EXPECT_NEAR(covered_share(solids, glm::dmat4(view.clip_from_view)), 1.0, 1e-6);
 }
 
 TEST(ShadowCoverage, NothingBehindOrBesideTheCamera) {
   const auto view = camera();
-  const Solid seen = view_solid(view, 100.0);
+  const Solid seen = view_solid(view, glm::dvec3(0.0), 100.0);
   for (const glm::dvec3 place : {glm::dvec3(0, 0, 10), glm::dvec3(30, 0, -10), glm::dvec3(0, -30, -10)}) {
     const Solid box = box_solid(place - 1.0, place + 1.0);
     const std::array<const Solid*, 2> solids{&seen, &box};
@@ -91,7 +91,7 @@ TEST(ShadowCoverage, NothingBehindOrBesideTheCamera) {
 // A pyramid of half the view's width, from the eye: a quarter of the picture, wherever it ends.
 TEST(ShadowCoverage, APyramidFromTheEyeCoversItsOwnShare) {
   const auto view = camera();
-  const Solid seen = view_solid(view, 100.0);
+  const Solid seen = view_solid(view, glm::dvec3(0.0), 100.0);
   const std::array<glm::dvec3, 3> axes{glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, -1)};
   for (const double reach : {1.0, 50.0, 1000.0}) {
     const Solid pyramid = pyramid_solid({0, 0, 0}, axes, 0.5, reach);
@@ -138,26 +138,26 @@ TEST(ShadowViews, TranslucentCastersCountWhereTheyAreWanted) {
   const auto view = camera();
   const auto with = wanted_views(std::span(&light, 1), {view, {100, 100}}, table, true);
   EXPECT_EQ(faces_of(with), (std::vector<std::uint32_t>{0, 1}));
-  EXPECT_NEAR(with[0].veils.nearest, 6.0, 1e-6);
-  EXPECT_NEAR(with[0].veils.low.x, -1.0 / 6.0, 1e-6);
-  EXPECT_NEAR(with[0].veils.high.y, 1.0 / 6.0, 1e-6);
-  EXPECT_EQ(with[1].veils.nearest, 0.0);
+  EXPECT_NEAR(with[0].translucent.nearest, 6.0, 1e-6);
+  EXPECT_NEAR(with[0].translucent.low.x, -1.0 / 6.0, 1e-6);
+  EXPECT_NEAR(with[0].translucent.high.y, 1.0 / 6.0, 1e-6);
+  EXPECT_EQ(with[1].translucent.nearest, 0.0);
   const auto without = wanted_views(std::span(&light, 1), {view, {100, 100}}, table, false);
   EXPECT_EQ(faces_of(without), (std::vector<std::uint32_t>{1}));
 
   const Plan plan = make_plan(place_views(with, Settings{}), std::span(&light, 1), glm::dvec3(0.0), 4096);
-  const auto veiled = [&](const glm::vec3& from_light) {
+  const auto translucent = [&](const glm::vec3& from_light) {
     const auto& face = plan.views[shading::shadow_face(from_light)];
     const float depth = shading::shadow_view_depth(face, from_light);
-    return shading::may_be_veiled(face, depth, shading::shadow_view_uv(face, from_light, depth));
+    return shading::may_be_translucent(face, depth, shading::shadow_view_uv(face, from_light, depth));
   };
-  EXPECT_TRUE(veiled({7, 0, 0}));
-  EXPECT_TRUE(veiled({7, 1, -1}));
-  EXPECT_FALSE(veiled({5.9f, 0, 0}));  // before it
-  EXPECT_FALSE(veiled({7, 3, 0}));     // beside it
-  EXPECT_FALSE(veiled({-7, 0, 0}));
-  EXPECT_TRUE(plan.draws[0].veiled);
-  EXPECT_FALSE(plan.draws[1].veiled);
+  EXPECT_TRUE(translucent({7, 0, 0}));
+  EXPECT_TRUE(translucent({7, 1, -1}));
+  EXPECT_FALSE(translucent({5.9f, 0, 0}));  // before it
+  EXPECT_FALSE(translucent({7, 3, 0}));     // beside it
+  EXPECT_FALSE(translucent({-7, 0, 0}));
+  EXPECT_TRUE(plan.draws[0].translucent);
+  EXPECT_FALSE(plan.draws[1].translucent);
 }
 
 // A sheet that reaches behind the light has no tangents: it may be seen anywhere.
@@ -167,9 +167,9 @@ TEST(ShadowViews, SheetsAroundALightMayBeAnywhere) {
   const GpuLight light = point({0, 0, -10});
   const auto view = camera();
   for (const auto& from : wanted_views(std::span(&light, 1), {view, {100, 100}}, table, true)) {
-    EXPECT_GE(from.veils.nearest, from.near);
-    EXPECT_LE(from.veils.low.x, -1.0);
-    EXPECT_GE(from.veils.high.x, 1.0);
+    EXPECT_GE(from.translucent.nearest, from.near);
+    EXPECT_LE(from.translucent.low.x, -1.0);
+    EXPECT_GE(from.translucent.high.x, 1.0);
   }
 }
 
@@ -222,13 +222,13 @@ TEST(ShadowPlan, ShadersFindWhatIsDrawn) {
   const auto placed = place_views(wanted_views(lights, {view, {100, 100}}, surroundings(), true), settings);
   const Plan plan = make_plan(placed, lights, glm::dvec3(0.0), side);
   EXPECT_EQ(plan.views.size(), 7u);
-  EXPECT_EQ(plan.shadow_view, (std::vector<std::uint32_t>{1, 7}));
+  EXPECT_EQ(plan.first_view, (std::vector<std::uint32_t>{1, 7}));
   ASSERT_EQ(plan.draws.size(), placed.size());
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const View& from = placed[i].view;
     const glm::vec3 q(2.0 * from.axes[2] + 0.6 * from.axes[0] - 0.3 * from.axes[1]);
     if (from.light == 0) { EXPECT_EQ(shading::shadow_face(q), from.face); }
-    const auto& table = plan.views[plan.shadow_view[from.light] - 1 + from.face];
+    const auto& table = plan.views[plan.first_view[from.light] - 1 + from.face];
     const float depth = shading::shadow_view_depth(table, q);
     const glm::vec2 uv = shading::shadow_view_uv(table, q, depth);
     const glm::vec4 clip = plan.draws[i].clip_from_world * glm::vec4(glm::vec3(from.position) + q, 1.0f);
@@ -253,7 +253,7 @@ TEST(ShadowPlan, FiltersStayInTheirTile) {
   const Plan plan = make_plan(placed, lights, glm::dvec3(0.0), atlas_side(settings));
   for (const auto& [from, tile, redraw] : placed) {
     ASSERT_TRUE(tile);
-    const auto& table = plan.views[plan.shadow_view[from.light] - 1 + from.face];
+    const auto& table = plan.views[plan.first_view[from.light] - 1 + from.face];
     const glm::vec3 rim(from.axes[2] + (1.0 + static_cast<double>(table.tile.y)) * from.axes[0]);
     const double x = static_cast<double>(shading::shadow_view_uv(table, rim, 1.0f).x) * side;
     const double from_middle = std::abs(x - (tile->x + 0.5 * tile->size));
@@ -273,8 +273,8 @@ TEST(ShadowPlan, ALightWithoutRoomShinesThrough) {
   settings.atlas = 256;  // 64 of the smallest tiles, ten lights' worth
   const auto placed = place_views(wanted_views(lights, {view, {100, 100}}, surroundings(), true), settings);
   const Plan plan = make_plan(placed, lights, glm::dvec3(0.0), atlas_side(settings));
-  EXPECT_EQ(std::count(plan.shadow_view.begin(), plan.shadow_view.end(), 0u), 30);
-  EXPECT_NE(plan.shadow_view[7], 0u);
+  EXPECT_EQ(std::count(plan.first_view.begin(), plan.first_view.end(), 0u), 30);
+  EXPECT_NE(plan.first_view[7], 0u);
   EXPECT_EQ(plan.views.size(), 60u);
 }
 

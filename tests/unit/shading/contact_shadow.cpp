@@ -62,14 +62,14 @@ TEST(ContactShadow, FadesAtItsEndAndAtThePicturesEdges) {
 
 TEST(ContactShadow, KeysNameTheStrongestLamp) {
   for (const uint index : {0u, 1u, 4095u, 16383u}) {
-    EXPECT_EQ(lamp_of_key(strength_key(0.37f, index)), index);
-    EXPECT_EQ(lamp_of_key(strength_key(1e38f, index)), index);
-    EXPECT_EQ(strength_key(0.0f, index), 0.0f);
+    EXPECT_EQ(light_of_key(dominant_light_key(0.37f, index)), index);
+    EXPECT_EQ(light_of_key(dominant_light_key(1e38f, index)), index);
+    EXPECT_EQ(dominant_light_key(0.0f, index), 0.0f);
   }
   // One part in 500 decides, whatever the lamps' numbers.
   for (float luminance = 1e-20f; luminance < 1e20f; luminance *= 3.7f)
-    EXPECT_GT(strength_key(luminance * 1.002f, 0u), strength_key(luminance, 16383u)) << luminance;
-  EXPECT_LT(strength_key(1e38f, 16383u), 2e30f);  // no infinity, nor what is no number
+    EXPECT_GT(dominant_light_key(luminance * 1.002f, 0u), dominant_light_key(luminance, 16383u)) << luminance;
+  EXPECT_LT(dominant_light_key(1e38f, 16383u), 2e30f);  // no infinity, nor what is no number
 }
 
 TEST(ContactShadow, OnlyALampThatGivesMoreThanHalfOfTheLightThrowsOne) {

@@ -55,8 +55,8 @@ TEST(SpecularEncoding, DecalsBlendWithoutAlpha) {
 
 // What the three targets keep: RT1 is sRGB.
 GBufferTexel through_targets(const GBufferTexel& t) {
-  const vec3 albedo = unorm8(srgb_encode({t.rt1.x, t.rt1.y, t.rt1.z}));
-  return {unorm8(t.rt0), vec4(srgb_decode(albedo), unorm8(t.rt1.w)), unorm8(t.rt2)};
+  const vec3 albedo = unorm8(srgb_encode({t.albedo.x, t.albedo.y, t.albedo.z}));
+  return {unorm8(t.normal), vec4(srgb_decode(albedo), unorm8(t.albedo.w)), unorm8(t.specular)};
 }
 
 Surface random_surface(Random& random, uint material_class) {
@@ -93,7 +93,7 @@ TEST(GBuffer, KeepsRandomSurfaces) {
     const Surface in = random_surface(random, static_cast<uint>(i % 4));
     const float table_value = static_cast<float>(best_fit_length(in.normal_ws)) / 255.0f;
     const GBufferTexel texel = gbuffer_encode(in, table_value);
-    for (const vec4& rt : {texel.rt0, texel.rt1, texel.rt2}) {
+    for (const vec4& rt : {texel.normal, texel.albedo, texel.specular}) {
       ASSERT_TRUE(glm::all(glm::greaterThanEqual(rt, vec4(-1e-6f))) &&
                   glm::all(glm::lessThanEqual(rt, vec4(1.000001f))));
     }
@@ -154,9 +154,9 @@ TEST(GBuffer, OneFrameKeepsTheNearestCodes) {
   for (int i = 0; i < 1000; ++i) {
     const GBufferTexel texel = gbuffer_encode(random_surface(random, 0u), 1.0f);
     const GBufferTexel moved = gbuffer_shifted(texel, rounding_shift(0u, 1u));
-    ASSERT_EQ(moved.rt0, texel.rt0);
-    ASSERT_LT(glm::length(moved.rt1 - texel.rt1), 1e-6f);
-    ASSERT_EQ(moved.rt2, texel.rt2);
+    ASSERT_EQ(moved.normal, texel.normal);
+    ASSERT_LT(glm::length(moved.albedo - texel.albedo), 1e-6f);
+    ASSERT_EQ(moved.specular, texel.specular);
   }
 }
 

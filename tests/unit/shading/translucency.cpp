@@ -36,28 +36,28 @@ TEST(Translucency, ThinnerSheetsDyeLess) {
 
 // The nearest surface of a plane is farther downhill than what a bilinear reading reaches, one texel on both axes.
 TEST(Translucency, VeilsLieBelowTheirOwnSurface) {
-  EXPECT_FLOAT_EQ(veil_depth(0.5f, {0.01f, -0.02f}), 0.46f);
-  EXPECT_FLOAT_EQ(veil_depth(0.5f, {0.02f, 0.02f}), 0.5f - 0.02f - 0.02f);
-  EXPECT_EQ(veil_depth(1.5f, {0.0f, 0.0f}), 1.0f);
-  EXPECT_EQ(veil_depth(0.1f, {0.2f, 0.0f}), 0.0f);
+  EXPECT_FLOAT_EQ(translucency_depth(0.5f, {0.01f, -0.02f}), 0.46f);
+  EXPECT_FLOAT_EQ(translucency_depth(0.5f, {0.02f, 0.02f}), 0.5f - 0.02f - 0.02f);
+  EXPECT_EQ(translucency_depth(1.5f, {0.0f, 0.0f}), 1.0f);
+  EXPECT_EQ(translucency_depth(0.1f, {0.2f, 0.0f}), 0.0f);
 }
 
 TEST(Translucency, OnlyWhatLiesBehindAVeilIsDyed) {
-  const vec4 veil(0.5f, 0.25f, 0.125f, 0.4f);
+  const vec4 texel(0.5f, 0.25f, 0.125f, 0.4f);
   const vec3 opaque(1.0f);
-  EXPECT_EQ(past_veil(veil, 0.39f, opaque), vec3(0.5f, 0.25f, 0.125f));
-  EXPECT_EQ(past_veil(veil, 0.41f, opaque), vec3(1.0f));
+  EXPECT_EQ(map_transmittance(texel, 0.39f, opaque), vec3(0.5f, 0.25f, 0.125f));
+  EXPECT_EQ(map_transmittance(texel, 0.41f, opaque), vec3(1.0f));
   // Rounding of the stored depth to a half, 2^-11 of it, brings no surface behind itself.
-  EXPECT_EQ(past_veil({0.5f, 0.5f, 0.5f, 0.4f * (1.0f + 0x1p-11f)}, 0.4f, opaque), vec3(1.0f));
-  EXPECT_EQ(past_veil({1.0f, 1.0f, 1.0f, 0.0f}, 0.0f, opaque), vec3(1.0f));
+  EXPECT_EQ(map_transmittance({0.5f, 0.5f, 0.5f, 0.4f * (1.0f + 0x1p-11f)}, 0.4f, opaque), vec3(1.0f));
+  EXPECT_EQ(map_transmittance({1.0f, 1.0f, 1.0f, 0.0f}, 0.0f, opaque), vec3(1.0f));
 }
 
 // A sheet of (1/2, 1/4, 1) behind one of (1/2, 1, 1/2): their product, but for its own part.
 TEST(Translucency, SheetsAreNotDyedByTheirOwnPart) {
   const vec4 both(0.25f, 0.25f, 0.5f, 0.4f);
-  EXPECT_EQ(past_veil(both, 0.3f, {0.5f, 0.25f, 1.0f}), vec3(0.5f, 1.0f, 0.5f));
-  EXPECT_EQ(past_veil(both, 0.5f, {0.5f, 0.25f, 1.0f}), vec3(1.0f));
-  EXPECT_EQ(past_veil({0.0f, 0.0f, 0.0f, 0.4f}, 0.3f, vec3(0.0f)), vec3(0.0f));
+  EXPECT_EQ(map_transmittance(both, 0.3f, {0.5f, 0.25f, 1.0f}), vec3(0.5f, 1.0f, 0.5f));
+  EXPECT_EQ(map_transmittance(both, 0.5f, {0.5f, 0.25f, 1.0f}), vec3(1.0f));
+  EXPECT_EQ(map_transmittance({0.0f, 0.0f, 0.0f, 0.4f}, 0.3f, vec3(0.0f)), vec3(0.0f));
 }
 
 }  // namespace

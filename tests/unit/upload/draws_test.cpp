@@ -40,7 +40,7 @@ class Draws : public ::testing::Test {
     moment_.instances.push_back(instance);
   }
   [[nodiscard]] DrawList list(const Frustum& frustum = everything()) const {
-    return make_draw_list(scene_, moment_, frustum, Viewpoint{}, sorted_triangles_);
+    return make_draw_list(scene_, moment_, glm::dvec3(0.0), frustum, Viewpoint{}, sorted_triangles_);
   }
 
   static constexpr std::uint32_t kSolid = 0, kGlass = 1, kDoubleGlass = 2;

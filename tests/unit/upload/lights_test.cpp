@@ -24,8 +24,8 @@ TEST(GpuLights, StandByKindAndKeepTheirOrder) {
   EXPECT_EQ(ranges.first_point, 1u);
   EXPECT_EQ(ranges.first_spot, 3u);
   EXPECT_EQ(ranges.count, 5u);
-  EXPECT_FALSE(ranges.sized);
-  EXPECT_FALSE(ranges.projectors);
+  EXPECT_FALSE(any_sized(lights));
+  EXPECT_FALSE(any_projector(lights));
   EXPECT_EQ(lights[1].position_range.x, 1.0f - 10.0f);  // relative to the eye
   EXPECT_EQ(lights[2].position_range.x, 3.0f - 10.0f);
   EXPECT_EQ(lights[3].position_range.x, 0.0f - 10.0f);
@@ -42,7 +42,7 @@ TEST(GpuLights, KnowTheirSize) {
   EXPECT_NEAR(lights[0].color.w, std::sin(0.5f), 1e-7);
   EXPECT_EQ(lights[1].color.w, 0.25f);
   EXPECT_EQ(lights[1].cone.w, shading::kFalloffBulb);
-  EXPECT_TRUE(light_ranges(lights).sized);
+  EXPECT_TRUE(any_sized(lights));
   // Lux at 1 m from the surface, and nothing at the cutoff radius.
   EXPECT_NEAR(shading::sample_light(lights[1], glm::vec3(1.25f, 0.0f, 0.0f)).irradiance.x, 3.0f, 1e-5);
   EXPECT_EQ(shading::sample_light(lights[1], glm::vec3(8.0f, 0.0f, 0.0f)).irradiance.x, 0.0f);
@@ -76,7 +76,7 @@ TEST(GpuLights, ShareThePicturesTheyThrow) {
   EXPECT_EQ(lights[1].projector_layer, 1u);
   EXPECT_EQ(lights[2].projector_layer, 0u);
   EXPECT_NEAR(lights[0].projector.w, std::tan(0.5f), 1e-6);
-  EXPECT_TRUE(light_ranges(lights).projectors);
+  EXPECT_TRUE(any_projector(lights));
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "graph/graph.hpp"
+#include "passes/io.hpp"
+
+namespace velarium::area_lights {
+
+namespace io {
+using namespace shading;
+#include "passes/area_lights/area_lights_io.glsl"
+}  // namespace io
+
+// Lights of some size as lit points read them.
+struct Reading {
+  bool sphere_highlights = false;  // some light has a size, and is mirrored as round as it is
+  graph::GraphBuffer table;        // io::AreaLights
+};
+
+inline void declare(graph::Pass&, const Reading&, graph::Access) {}
+inline void bind(graph::SetWriter& set, const Reading& in) {
+  set.buffer(io::AreaLightBuffer, in.table);
+}
+inline void specialize(gpu::Specialization& constants, const Reading& in) {
+  constants.set(io::kSphereHighlights, in.sphere_highlights);
+}
+
+}  // namespace velarium::area_lights
