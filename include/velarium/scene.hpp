@@ -37,6 +37,7 @@ struct SceneInfo {
   struct Camera {
     std::string name;
     std::string kind;
+    float near_m;  // where gbuffer.depth is 1; perspective: it is near_m / distance along the view axis
   };
   struct Light {
     std::string name;

@@ -65,7 +65,7 @@ void count_moment(const scene::Scene& scene, SceneInfo& info) {
   for (const auto& instance : moment.instances) count_primitive(scene.primitives[instance.primitive], info);
   for (const auto& [camera, matrix] : moment.cameras)
     info.cameras.push_back(
-        {camera.name, camera.kind == scene::Camera::Kind::perspective ? "perspective" : "orthographic"});
+        {camera.name, camera.kind == scene::Camera::Kind::perspective ? "perspective" : "orthographic", camera.z_near});
   for (const auto& [light, position, direction, right] : moment.lights)
     info.lights.push_back({light.name, kind_name(light.kind), to_array(light.color), light.intensity});
   if (moment.bounds.empty()) return;
