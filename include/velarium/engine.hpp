@@ -1,5 +1,6 @@
 #pragma once
 
+#include <velarium/look_at.hpp>
 #include <velarium/picture.hpp>
 #include <velarium/scene.hpp>
 #include <velarium/settings.hpp>
@@ -31,11 +32,6 @@ struct DeviceInfo {
 struct EngineOptions {
   std::string device;       // name (or part of it), index, "cpu"; empty: the best usable one
   bool validation = false;  // Vulkan validation and synchronisation validation; messages become Error(internal)
-};
-
-struct LookAt {
-  std::array<float, 3> eye{0, 0, 1}, target{0, 0, 0}, up{0, 1, 0};  // metres, world space
-  float vertical_fov_deg = 45.0f;
 };
 
 // A sun beside the scene's own lights, as a disc at the sky.

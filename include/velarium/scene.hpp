@@ -1,5 +1,6 @@
 #pragma once
 
+#include <velarium/scene_description.hpp>
 #include <velarium/settings.hpp>
 
 #include <array>
@@ -60,13 +61,17 @@ struct SceneInfo {
   std::vector<std::string> extensions_used, extensions_required, warnings;
 };
 
-// A loaded scene. Immutable, cheap to copy, and may be shared between threads and engines.
+// A scene, loaded or made. Immutable, cheap to copy, and may be shared between threads and engines.
 class Scene {
  public:
   // A .gltf or .glb file, or "builtin:NAME", or "builtin:NAME?key=value". Throws Error(input_missing, input_invalid,
   // unsupported), and Error(usage) that lists the variants where LoadOptions::variant is not among them, names a limit
   // out of its range, or lists the parameters where one is wrong.
   [[nodiscard]] static Scene load(const std::filesystem::path& file, const LoadOptions& options = {});
+  // The scene that a program describes; it keeps nothing of the description. Throws Error(usage) that names the place
+  // at fault, such as "scene description: meshes[2].indices[7] is 9, but there are 4 positions": where a value is not
+  // finite or out of its range, an index leads nowhere, or counts do not match.
+  [[nodiscard]] static Scene make(const SceneDescription& description);
   [[nodiscard]] static std::vector<std::string> builtin_names();
 
   [[nodiscard]] SceneInfo info() const;

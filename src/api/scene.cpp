@@ -1,6 +1,7 @@
 #include <velarium/scene.hpp>
 
 #include "scene/builtin.hpp"
+#include "scene/description.hpp"
 #include "scene/gltf.hpp"
 #include "scene/moment.hpp"
 #include "scene/scene.hpp"
@@ -100,6 +101,10 @@ Scene Scene::load(const std::filesystem::path& file, const LoadOptions& options)
   return Scene(std::make_shared<scene::Scene>(scene::read_gltf(
       file,
       {.allow_outside_files = options.allow_outside_files, .variant = options.variant, .limits = options.limits})));
+}
+
+Scene Scene::make(const SceneDescription& description) {
+  return Scene(std::make_shared<scene::Scene>(scene::described_scene(description)));
 }
 
 std::vector<std::string> Scene::builtin_names() {

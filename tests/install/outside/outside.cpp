@@ -57,6 +57,18 @@ void set_limits(const char* file) {
   expect(code_of_loading(file, options) == velarium::ErrorCode::usage, "a limit has a range");
 }
 
+void make_a_scene() {
+  velarium::SceneDescription description{.meshes = {{.positions = {{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}}}}};
+  expect(velarium::Scene::make(description).info().triangles == 1, "a scene is made in code");
+  description.meshes[0].material = 7;
+  try {
+    (void)velarium::Scene::make(description);
+    expect(false, "an index that leads nowhere throws");
+  } catch (const velarium::Error& error) {
+    expect(error.code() == velarium::ErrorCode::usage, "the code says that the program is wrong");
+  }
+}
+
 velarium::RenderRequest request_of(std::uint32_t width, std::uint32_t height, float eye_z) {
   velarium::RenderRequest request{.width = width, .height = height};
   request.look_at = velarium::LookAt{.eye = {0, 0, eye_z}};
@@ -117,6 +129,7 @@ int main(int, char** arguments) {
   use_what_needs_no_device();
   catch_errors();
   set_limits(arguments[1]);
+  make_a_scene();
   const velarium::Scene scene = velarium::Scene::load(arguments[1]);
   expect(scene.info().triangles > 0, "the scene has triangles");
   trace_pictures(scene);
