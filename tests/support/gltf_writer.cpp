@@ -16,10 +16,22 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kFloat = 5126;  // componentType of glTF 2.0, 3.6.2.2
+constexpr int kUnsignedInt = 5125, kFloat = 5126;  // componentType of glTF 2.0, 3.6.2.2
 
 Json json(const glm::vec3& v) {
   return {v.x, v.y, v.z};
+}
+
+template <class Vector>
+std::vector<float> components_of(const std::vector<Vector>& vectors) {
+  std::vector<float> components;
+  for (const Vector& v : vectors)
+    for (int c = 0; c < Vector::length(); ++c) components.push_back(v[c]);
+  return components;
+}
+
+std::string image_name(std::size_t index) {
+  return "image" + std::to_string(index) + ".png";
 }
 
 // The rotation that turns -Z, along which cameras look and lights shine, to `direction`.
@@ -54,6 +66,14 @@ int GltfWriter::add_child(Json node) {
   return index;
 }
 
+int GltfWriter::add_image(image::ByteImage image) {
+  const std::size_t index = images_.size();
+  images_.push_back(std::move(image));
+  root_["images"].push_back({{"uri", image_name(index)}});
+  root_["textures"].push_back({{"source", index}});
+  return static_cast<int>(index);
+}
+
 int GltfWriter::add_material(const TestMaterial& m) {
   Json material{{"pbrMetallicRoughness",
                  {{"baseColorFactor", {m.base_color.x, m.base_color.y, m.base_color.z, m.base_color.w}},
@@ -62,6 +82,8 @@ int GltfWriter::add_material(const TestMaterial& m) {
                 {"emissiveFactor", json(m.emissive)},
                 {"alphaMode", m.alpha_mode},
                 {"doubleSided", m.double_sided}};
+  if (m.base_color_image >= 0) material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", m.base_color_image}};
+  if (m.normal_image >= 0) material["normalTexture"] = {{"index", m.normal_image}};
   const auto extend = [&](const char* name, Json value) {
     material["extensions"][name] = std::move(value);
     use_extension(root_, name);
@@ -74,11 +96,23 @@ int GltfWriter::add_material(const TestMaterial& m) {
   return static_cast<int>(root_["materials"].size()) - 1;
 }
 
-int GltfWriter::add_accessor(const std::vector<float>& values, int components, bool bounds) {
-  const std::size_t count = values.size() / static_cast<std::size_t>(components), size = values.size() * sizeof(float);
+int GltfWriter::add_view(const void* bytes, std::size_t size) {
   root_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", size}});
-  bytes_.append(reinterpret_cast<const char*>(values.data()), size);
-  Json accessor{{"bufferView", root_["bufferViews"].size() - 1},
+  bytes_.append(static_cast<const char*>(bytes), size);
+  return static_cast<int>(root_["bufferViews"].size()) - 1;
+}
+
+int GltfWriter::add_indices(const std::vector<std::uint32_t>& indices) {
+  root_["accessors"].push_back({{"bufferView", add_view(indices.data(), indices.size() * sizeof(std::uint32_t))},
+                                {"componentType", kUnsignedInt},
+                                {"count", indices.size()},
+                                {"type", "SCALAR"}});
+  return static_cast<int>(root_["accessors"].size()) - 1;
+}
+
+int GltfWriter::add_accessor(const std::vector<float>& values, int components, bool bounds) {
+  const std::size_t count = values.size() / static_cast<std::size_t>(components);
+  Json accessor{{"bufferView", add_view(values.data(), values.size() * sizeof(float))},
                 {"componentType", kFloat},
                 {"count", count},
                 {"type", "VEC" + std::to_string(components)}};
@@ -98,6 +132,20 @@ int GltfWriter::add_accessor(const std::vector<float>& values, int components, b
   }
   root_["accessors"].push_back(std::move(accessor));
   return static_cast<int>(root_["accessors"].size()) - 1;
+}
+
+void GltfWriter::add_mesh(int material, const TestMesh& mesh, const TestPlace& place) {
+  Json attributes{{"POSITION", add_accessor(components_of(mesh.positions), 3, true)}};
+  if (!mesh.normals.empty()) attributes["NORMAL"] = add_accessor(components_of(mesh.normals), 3, false);
+  if (!mesh.uv.empty()) attributes["TEXCOORD_0"] = add_accessor(components_of(mesh.uv), 2, false);
+  Json primitive{{"attributes", std::move(attributes)}, {"material", material}};
+  if (!mesh.indices.empty()) primitive["indices"] = add_indices(mesh.indices);
+  root_["meshes"].push_back({{"primitives", Json::array({std::move(primitive)})}});
+  const glm::quat& q = place.rotation;
+  add_child({{"mesh", root_["meshes"].size() - 1},
+             {"translation", json(place.translation)},
+             {"rotation", {q.x, q.y, q.z, q.w}},
+             {"scale", json(place.scale)}});
 }
 
 void GltfWriter::add_quad(int material, const glm::vec3& center, const glm::vec3& normal, const glm::vec2& size) {
@@ -165,6 +213,7 @@ Scene GltfWriter::load() const {
     root["buffers"] = Json::array({{{"byteLength", bytes_.size()}, {"uri", "scene.bin"}}});
     std::ofstream(folder.path() / "scene.bin", std::ios::binary) << bytes_;
   }
+  for (std::size_t i = 0; i < images_.size(); ++i) image::save_png(folder.path() / image_name(i), images_[i]);
   const auto file = folder.path() / "scene.gltf";
   std::ofstream(file) << root;
   return Scene::load(file);

@@ -2,8 +2,11 @@
 
 // Scenes made in code, as glTF files that the library then reads.
 
+#include "image/image.hpp"
+
 #include <velarium/scene.hpp>
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -22,6 +25,20 @@ struct TestMaterial {
   float emissive_strength = 1.0f;
   bool unlit = false, double_sided = false;
   std::string alpha_mode = "OPAQUE";
+  int base_color_image = -1, normal_image = -1;  // as add_image() counts them; -1: none
+};
+
+// Triangles; what is empty is left out of the file, and `normals` and `uv` are otherwise as many as `positions`.
+struct TestMesh {
+  std::vector<glm::vec3> positions, normals;
+  std::vector<glm::vec2> uv;
+  std::vector<std::uint32_t> indices;
+};
+
+struct TestPlace {
+  glm::vec3 translation{0.0f};
+  glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
+  glm::vec3 scale{1.0f};
 };
 
 struct TestLight {
@@ -39,7 +56,10 @@ class GltfWriter {
  public:
   explicit GltfWriter(const glm::dvec3& origin = glm::dvec3(0.0));
 
+  // Read with the default sampler.
+  int add_image(image::ByteImage image);
   int add_material(const TestMaterial& material);
+  void add_mesh(int material, const TestMesh& mesh, const TestPlace& place);
   // A rectangle of `size` metres, seen from where `normal` (need not be unit) points to.
   void add_quad(int material, const glm::vec3& center, const glm::vec3& normal, const glm::vec2& size);
   // Six of them around `center`.
@@ -55,10 +75,13 @@ class GltfWriter {
 
  private:
   int add_accessor(const std::vector<float>& values, int components, bool bounds);
+  int add_indices(const std::vector<std::uint32_t>& indices);
+  int add_view(const void* bytes, std::size_t size);
   int add_child(nlohmann::json node);
 
   nlohmann::json root_;
   std::string bytes_;
+  std::vector<image::ByteImage> images_;
 };
 
 }  // namespace velarium::test
