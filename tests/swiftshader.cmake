@@ -12,6 +12,7 @@ endfunction()
 
 velarium_swiftshader_test(parity)
 velarium_swiftshader_test(display)
+velarium_swiftshader_test(graph_device)
 velarium_swiftshader_test(furnace)
 velarium_swiftshader_test(bake --gtest_filter=*.AConstantStaysConstant)  # all of them take two minutes
 velarium_swiftshader_test(golden)

@@ -25,6 +25,7 @@ struct Layouts {
 
 struct MipRange {
   std::uint32_t first = 0, count = VK_REMAINING_MIP_LEVELS;
+  bool operator==(const MipRange&) const = default;
 };
 
 // All layers and aspects of these mips; the queue stays the same. `image.layout` is left to the caller.

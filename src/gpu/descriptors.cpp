@@ -2,7 +2,9 @@
 
 #include "gpu/check.hpp"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 namespace velarium::gpu {
 namespace {
@@ -32,10 +34,16 @@ Bindings& Bindings::buffer(const Slot& slot, const Buffer& buffer, VkDeviceSize 
 }
 
 DescriptorAllocator::~DescriptorAllocator() {
-  for (const auto pool : pools_) vkDestroyDescriptorPool(device_.vk(), pool, nullptr);
+  parked_.push_back(std::move(pools_));
+  for (const auto& pools : parked_)
+    for (const auto pool : pools) vkDestroyDescriptorPool(device_.vk(), pool, nullptr);
 }
 
-void DescriptorAllocator::reset() {
+void DescriptorAllocator::reset(std::size_t pools) {
+  parked_.resize(std::max({parked_.size(), pools + 1, number_ + 1}));
+  parked_[number_].swap(pools_);
+  pools_.swap(parked_[pools]);
+  number_ = pools;
   for (const auto pool : pools_) check(vkResetDescriptorPool(device_.vk(), pool, 0), "vkResetDescriptorPool");
   current_ = 0;
 }

@@ -30,7 +30,8 @@ class Bindings {
   std::vector<Entry> entries_;
 };
 
-// Hands out descriptor sets, all taken back at once by reset() or the end. Grows by whole pools.
+// Hands out descriptor sets, all taken back at once by reset() or the end. Grows by whole pools. Submissions that may
+// run at the same time have their sets from pools of their own.
 class DescriptorAllocator {
  public:
   explicit DescriptorAllocator(Device& device) : device_(device) {}
@@ -41,15 +42,18 @@ class DescriptorAllocator {
   // Bindings that the pipeline's shaders do not use are left out.
   // Precondition: every binding that they do use is given.
   [[nodiscard]] VkDescriptorSet make(const Pipeline& pipeline, std::uint32_t set, const Bindings& bindings);
-  void reset();
+  // From here on sets come from the pools of this number, whose earlier sets are taken back.
+  // Precondition: no submission that uses those is running.
+  void reset(std::size_t pools = 0);
 
  private:
   [[nodiscard]] VkDescriptorSet allocate(VkDescriptorSetLayout layout);
   void add_pool();
 
   Device& device_;
-  std::vector<VkDescriptorPool> pools_;
-  std::size_t current_ = 0;
+  std::vector<std::vector<VkDescriptorPool>> parked_;  // of other submissions, by number
+  std::vector<VkDescriptorPool> pools_;                // of the one that is recorded
+  std::size_t number_ = 0, current_ = 0;
 };
 
 }  // namespace velarium::gpu

@@ -1,5 +1,6 @@
 #include "gpu/device.hpp"
 
+#include "core/assert.hpp"
 #include "core/files.hpp"
 #include "core/log.hpp"
 #include "gpu/check.hpp"
@@ -83,8 +84,10 @@ Device::~Device() {
   vkDeviceWaitIdle(device_);
   save_pipeline_cache();
   vkDestroyPipelineCache(device_, pipeline_cache_, nullptr);
-  vkDestroyFence(device_, fence_, nullptr);
-  vkDestroyCommandPool(device_, pool_, nullptr);
+  for (const auto& recorder : recorders_) {
+    vkDestroyFence(device_, recorder.fence, nullptr);
+    vkDestroyCommandPool(device_, recorder.pool, nullptr);
+  }
   memory_.reset();
   vkDestroyDevice(device_, nullptr);
 }
@@ -114,12 +117,6 @@ void Device::create_device() {
                                 .pQueueCreateInfos = &queue};
   check(vkCreateDevice(physical_, &info, nullptr, &device_), "vkCreateDevice");
   vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
-  const VkCommandPoolCreateInfo pool{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-                                     .flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT,
-                                     .queueFamilyIndex = queue_family_};
-  check(vkCreateCommandPool(device_, &pool, nullptr, &pool_), "vkCreateCommandPool");
-  const VkFenceCreateInfo fence{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-  check(vkCreateFence(device_, &fence, nullptr, &fence_), "vkCreateFence");
 }
 
 void Device::read_capabilities() {
@@ -142,32 +139,66 @@ void Device::read_capabilities() {
   caps_.blends_float32 = (float32.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT) != 0;
 }
 
-VkCommandBuffer Device::begin() {
-  check(vkResetCommandPool(device_, pool_, 0), "vkResetCommandPool");
+Device::Recorder& Device::free_recorder() {
+  const auto found = std::find_if(recorders_.begin(), recorders_.end(), [](const Recorder& recorder) {
+    return recorder.fence != VK_NULL_HANDLE && recorder.running == Submission{};
+  });
+  if (found != recorders_.end()) return *found;
+  auto& recorder = recorders_.emplace_back();  // first: should a step fail, the destructor frees those before it
+  const VkCommandPoolCreateInfo pool{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                     .flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT,
+                                     .queueFamilyIndex = queue_family_};
+  check(vkCreateCommandPool(device_, &pool, nullptr, &recorder.pool), "vkCreateCommandPool");
   const VkCommandBufferAllocateInfo info{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
-                                         .commandPool = pool_,
+                                         .commandPool = recorder.pool,
                                          .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
                                          .commandBufferCount = 1};
-  VkCommandBuffer commands = VK_NULL_HANDLE;
-  check(vkAllocateCommandBuffers(device_, &info, &commands), "vkAllocateCommandBuffers");
-  const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
-                                       .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
-  check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
-  return commands;
+  check(vkAllocateCommandBuffers(device_, &info, &recorder.commands), "vkAllocateCommandBuffers");
+  const VkFenceCreateInfo fence{.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+  check(vkCreateFence(device_, &fence, nullptr, &recorder.fence), "vkCreateFence");
+  return recorder;
 }
 
-void Device::submit_and_wait(VkCommandBuffer commands) {
+VkCommandBuffer Device::begin() {
+  const auto& recorder = free_recorder();
+  check(vkResetCommandPool(device_, recorder.pool, 0), "vkResetCommandPool");
+  const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO,
+                                       .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
+  check(vkBeginCommandBuffer(recorder.commands, &begin), "vkBeginCommandBuffer");
+  return recorder.commands;
+}
+
+Submission Device::submit(VkCommandBuffer commands) {
   check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
+  const auto recorder = std::find_if(recorders_.begin(), recorders_.end(),
+                                     [&](const Recorder& candidate) { return candidate.commands == commands; });
+  VEL_ASSERT(recorder != recorders_.end());
   const VkCommandBufferSubmitInfo buffer{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO,
                                          .commandBuffer = commands};
   const VkSubmitInfo2 submit{
       .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2, .commandBufferInfoCount = 1, .pCommandBufferInfos = &buffer};
-  check(vkQueueSubmit2(queue_, 1, &submit, fence_), "submitting work to the device");
-  check(vkWaitForFences(device_, 1, &fence_, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
-        "waiting for the device");
-  check(vkResetFences(device_, 1, &fence_), "vkResetFences");
-  vkFreeCommandBuffers(device_, pool_, 1, &commands);
+  check(vkQueueSubmit2(queue_, 1, &submit, recorder->fence), "submitting work to the device");
+  last_ = Submission{static_cast<std::uint64_t>(last_) + 1};
+  return recorder->running = last_;
+}
+
+void Device::wait(Submission submission) {
+  for (auto& recorder : recorders_) {
+    if (recorder.running == Submission{} || recorder.running > submission) continue;
+    check(vkWaitForFences(device_, 1, &recorder.fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
+          "waiting for the device");
+    check(vkResetFences(device_, 1, &recorder.fence), "vkResetFences");
+    recorder.running = {};
+  }
   refuse_validation_messages();
+}
+
+void Device::wait_idle() noexcept {
+  vkDeviceWaitIdle(device_);
+}
+
+void Device::submit_and_wait(VkCommandBuffer commands) {
+  wait(submit(commands));
 }
 
 void Device::refuse_validation_messages() {

@@ -4,8 +4,10 @@
 #include "gpu/memory.hpp"
 #include "gpu/vulkan.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace velarium::gpu {
 
@@ -19,6 +21,9 @@ struct Capabilities {
   bool cube_edges_need_blit = false;  // see fill_cube_edges()
   bool blends_float32 = false;        // may targets of four 32-bit floats be blended?
 };
+
+// Names work that was handed to the device. Later work has larger numbers; 0 is none.
+enum class Submission : std::uint64_t {};
 
 // A logical device with its one queue. Not thread-safe.
 class Device {
@@ -39,15 +44,33 @@ class Device {
   [[nodiscard]] std::uint64_t driver_hash() const;
   [[nodiscard]] bool has_labels() const { return instance_->has_debug_utils(); }
 
-  // A command buffer that is recording, for one submission.
+  // A command buffer that is recording, for one submission. Only one records at a time: to begin again gives up what
+  // was recorded and not submitted.
   [[nodiscard]] VkCommandBuffer begin();
-  // Ends, submits, and waits until the device has finished. Throws Error(temporary), and Error(internal) with the
-  // text of what the validation layers said.
+  // Ends and submits what begin() gave, and returns while the device may still work on it. Until wait(), nothing that
+  // it uses may be changed or destroyed. Throws Error(temporary).
+  [[nodiscard]] Submission submit(VkCommandBuffer commands);
+  // Waits until the device has finished this submission and all before it. Throws Error(temporary), and Error(internal)
+  // with the text of what the validation layers said.
+  void wait(Submission submission);
+  // The same for all that was submitted: before something is changed or freed that running work may use.
+  void wait() { wait(last_); }
+  // Waits for all work. For destructors: what went wrong is not said.
+  void wait_idle() noexcept;
+  // Both. Throws as they do.
   void submit_and_wait(VkCommandBuffer commands);
   void refuse_validation_messages();
 
  private:
+  // What one submission needs until it has finished.
+  struct Recorder {
+    VkCommandPool pool = VK_NULL_HANDLE;
+    VkCommandBuffer commands = VK_NULL_HANDLE;
+    VkFence fence = VK_NULL_HANDLE;
+    Submission running{};  // 0: free
+  };
   void create_device();
+  [[nodiscard]] Recorder& free_recorder();
   void read_capabilities();
   void load_pipeline_cache();
   void save_pipeline_cache() noexcept;
@@ -59,8 +82,8 @@ class Device {
   std::uint32_t queue_family_ = 0;
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
-  VkCommandPool pool_ = VK_NULL_HANDLE;
-  VkFence fence_ = VK_NULL_HANDLE;
+  std::vector<Recorder> recorders_;  // as many as ever ran at once
+  Submission last_{};
   VkPipelineCache pipeline_cache_ = VK_NULL_HANDLE;
   std::size_t loaded_cache_bytes_ = 0;
   std::unique_ptr<MemoryAllocator> memory_;

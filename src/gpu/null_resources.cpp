@@ -44,23 +44,24 @@ void clear(VkCommandBuffer commands, const Image& image) {
 
 }  // namespace
 
-NullResources::NullResources(Device& device)
-    : buffer_(device, kBufferBytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, MemoryUse::upload) {
+void NullResources::make() {
+  if (buffer_) return;
+  buffer_ = Buffer(device_, kBufferBytes, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, MemoryUse::upload);
   std::ranges::fill(buffer_.mapped(), std::byte{0});
-  const VkCommandBuffer commands = device.begin();
+  const VkCommandBuffer commands = device_.begin();
   for (const auto& null : kNulls) {
-    Image image(device, null.desc, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    auto& image = images_[null.type];
+    image = Image(device_, null.desc, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
     clear(commands, image);
     image.layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    images_.push_back({null.type, std::move(image)});
   }
-  device.submit_and_wait(commands);
+  device_.submit_and_wait(commands);
 }
 
 const Image& NullResources::image(SlotType type) const {
-  const auto found = std::ranges::find(images_, type, &Null::type);
+  const auto found = images_.find(type);
   VEL_ASSERT(found != images_.end());
-  return found->image;
+  return found->second;
 }
 
 }  // namespace velarium::gpu

@@ -4,7 +4,7 @@
 #include "gpu/image.hpp"
 #include "gpu/slot.hpp"
 
-#include <vector>
+#include <map>
 
 namespace velarium::gpu {
 
@@ -12,18 +12,17 @@ namespace velarium::gpu {
 // specialisation keeps it from being read. Images of one texel, 0 in each channel, and a buffer of zeros.
 class NullResources {
  public:
-  explicit NullResources(Device& device);
+  explicit NullResources(Device& device) : device_(device) {}
 
-  // Ready to be sampled. Precondition: the type is that of an image.
+  // Makes them all, once. Not while commands are recorded: it submits work of its own.
+  void make();
+  // Ready to be sampled. Precondition: make() was called, and the type is that of an image.
   [[nodiscard]] const Image& image(SlotType type) const;
   [[nodiscard]] const Buffer& buffer() const { return buffer_; }
 
  private:
-  struct Null {
-    SlotType type;
-    Image image;
-  };
-  std::vector<Null> images_;
+  Device& device_;
+  std::map<SlotType, Image> images_;
   Buffer buffer_;
 };
 

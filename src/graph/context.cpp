@@ -5,17 +5,17 @@
 namespace velarium::graph {
 namespace {
 
-VkRenderingAttachmentInfo color_attachment(const gpu::Image& image, std::uint32_t layer, bool clear) {
+VkRenderingAttachmentInfo color_attachment(VkImageView view, bool clear) {
   return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-          .imageView = image.layer_view(layer),
+          .imageView = view,
           .imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
           .loadOp = clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD,
           .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
 }
 
-VkRenderingAttachmentInfo depth_attachment(const gpu::Image& image, const RenderTargets& targets) {
+VkRenderingAttachmentInfo depth_attachment(VkImageView view, const RenderTargets& targets) {
   return {.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-          .imageView = image.layer_view(targets.layer),
+          .imageView = view,
           .imageLayout = targets.depth_writable ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
                                                 : VK_IMAGE_LAYOUT_DEPTH_STENCIL_READ_ONLY_OPTIMAL,
           .loadOp = targets.clear_depth ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD,
@@ -52,19 +52,25 @@ void Context::push(const gpu::Pipeline& pipeline, std::span<const std::byte> byt
 }
 
 void Context::dispatch(std::uint32_t width, std::uint32_t height, std::uint32_t group_x, std::uint32_t group_y) const {
-  vkCmdDispatch(commands_, (width + group_x - 1) / group_x, (height + group_y - 1) / group_y, 1);
+  dispatch({width, height, 1}, {group_x, group_y, 1});
+}
+
+void Context::dispatch(VkExtent3D threads, VkExtent3D group) const {
+  vkCmdDispatch(commands_, (threads.width + group.width - 1) / group.width,
+                (threads.height + group.height - 1) / group.height, (threads.depth + group.depth - 1) / group.depth);
 }
 
 void Context::begin_rendering(const RenderTargets& targets) const {
+  const auto view = [&](GraphImage target) { return image(target).layer_view(targets.layer, target.target_mip()); };
   std::vector<VkRenderingAttachmentInfo> colors;
-  for (const auto& color : targets.colors)
-    colors.push_back(color_attachment(image(color.image), targets.layer, color.clear));
+  for (const auto& color : targets.colors) colors.push_back(color_attachment(view(color.image), color.clear));
   const bool has_depth = targets.depth.version != 0;
   VkRenderingAttachmentInfo depth{};
-  if (has_depth) depth = depth_attachment(image(targets.depth), targets);
+  if (has_depth) depth = depth_attachment(view(targets.depth), targets);
   const bool has_stencil = has_depth && gpu::has_stencil(image(targets.depth).desc().format);
 
-  const auto& size = image(has_depth ? targets.depth : targets.colors.front().image).desc();
+  const GraphImage sized = has_depth ? targets.depth : targets.colors.front().image;
+  const VkExtent3D size = gpu::mip_extent(image(sized).desc(), sized.target_mip());
   const VkRenderingInfo info{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
                              .renderArea = {{0, 0}, {size.width, size.height}},
                              .layerCount = 1,
@@ -114,8 +120,7 @@ SetWriter& SetWriter::sampled(const gpu::Slot& slot, GraphImage handle) {
   if (handle.version == 0) return sampled(slot, nullptr);
   const auto& image = context_.image(handle);
   const bool depth = gpu::has_depth(image.desc().format);
-  bindings_.image(checked(slot), depth ? image.depth_view() : image.view(),
-                  access_info(Access::compute_sample, depth).layout);
+  bindings_.image(checked(slot), image.sampled_view(handle.mip), access_info(Access::compute_sample, depth).layout);
   return *this;
 }
 
@@ -126,7 +131,7 @@ SetWriter& SetWriter::stencil(const gpu::Slot& slot, GraphImage handle) {
 }
 
 SetWriter& SetWriter::storage(const gpu::Slot& slot, GraphImage handle) {
-  bindings_.storage(checked(slot), context_.image(handle).mip_view(0));
+  bindings_.storage(checked(slot), context_.image(handle).mip_view(handle.target_mip()));
   return *this;
 }
 

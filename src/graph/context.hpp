@@ -12,7 +12,7 @@
 namespace velarium::graph {
 
 struct ColorTarget {
-  GraphImage image;
+  GraphImage image;    // one of its mips where it has several, all targets of one size
   bool clear = false;  // to zero; else loaded
 };
 
@@ -56,6 +56,8 @@ class Context {
   }
   // One thread a pixel of a width x height picture, in groups of group_x by group_y.
   void dispatch(std::uint32_t width, std::uint32_t height, std::uint32_t group_x, std::uint32_t group_y) const;
+  // One thread a texel of a volume: c.dispatch({64, 64, 32}, {4, 4, 4}).
+  void dispatch(VkExtent3D threads, VkExtent3D group) const;
 
   // Between these, draws go to the targets, with viewport and scissor set to their whole size.
   void begin_rendering(const RenderTargets& targets) const;

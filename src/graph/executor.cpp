@@ -1,73 +1,110 @@
 #include "graph/executor.hpp"
 
+#include "core/assert.hpp"
 #include "gpu/barrier.hpp"
 #include "graph/context.hpp"
 
 #include <algorithm>
 
 namespace velarium::graph {
-void Executor::run(const Graph& graph, bool paranoid) {
-  allocate(graph);
-  tools_.descriptors.reset();
-  const VkCommandBuffer commands = tools_.device.begin();
-  record(graph, commands, paranoid);
-  tools_.device.submit_and_wait(commands);
+
+Executor::Executor(gpu::GpuContext& tools)
+    : tools_(tools), slots_{Slot(tools.device), Slot(tools.device)}, kept_(tools.device) {}
+
+Executor::~Executor() {
+  tools_.device.wait_idle();
 }
 
-void Executor::allocate(const Graph& graph) {
+void Executor::run(const Graph& graph, bool paranoid) {
+  wait();  // so that all runs share one slot and its buffers
+  submit(graph, paranoid);
+  wait();
+}
+
+gpu::Submission Executor::submit(const Graph& graph, bool paranoid) {
+  history_.refuse_outdated(graph);
+  tools_.nulls.make();
+  const std::size_t index = free_slot();
+  auto& slot = slots_[index];
+  allocate(graph, index);
+  tools_.descriptors.reset(index);
+  const VkCommandBuffer commands = tools_.device.begin();
+  const auto layouts = record(graph, slot, commands, paranoid);
+  slot.submission = tools_.device.submit(commands);
+  slot.running = true;
+  last_slot_ = index;
+  for (std::size_t i = 0; i < layouts.size(); ++i)
+    if (layouts[i] != VK_IMAGE_LAYOUT_UNDEFINED) image_list_[i]->layout = layouts[i];
+  history_.advance(graph);
+  return slot.submission;
+}
+
+void Executor::wait() {
+  if (std::none_of(slots_.begin(), slots_.end(), [](const Slot& slot) { return slot.running; })) return;
+  tools_.device.wait();
+  for (auto& slot : slots_) slot.running = false;
+}
+
+void Executor::wait(gpu::Submission submission) {
+  tools_.device.wait(submission);
+  for (auto& slot : slots_) slot.running = slot.running && slot.submission > submission;
+}
+
+std::size_t Executor::free_slot() {
+  const auto by_age = [](const Slot& a, const Slot& b) { return a.submission < b.submission; };
+  const auto free = std::find_if(slots_.begin(), slots_.end(), [](const Slot& slot) { return !slot.running; });
+  const auto slot = free != slots_.end() ? free : std::min_element(slots_.begin(), slots_.end(), by_age);
+  if (slot->running) wait(slot->submission);
+  return static_cast<std::size_t>(slot - slots_.begin());
+}
+
+void Executor::allocate(const Graph& graph, std::size_t slot) {
+  ++runs_;
+  history_.allocate(tools_.device, graph, runs_);
   image_list_.clear();
   image_names_.clear();
   for (const auto& resource : graph.images()) {
-    gpu::Image* image = resource.imported;
-    if (image == nullptr) {
-      image = &images_[resource.name];
-      // Anything may be copied out by --dump.
-      const VkImageUsageFlags usage = resource.usage | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-      if (!*image || image->desc() != resource.desc || image->usage() != usage) {
-        *image = {};  // first: the old one and the new one need not fit beside each other
-        *image = gpu::Image(tools_.device, resource.desc, usage);
-      }
-    }
-    image_list_.push_back(image);
+    image_list_.push_back(resource.imported != nullptr ? resource.imported : &kept_.image(resource, runs_));
     image_names_.push_back(resource.name);
   }
-  buffer_list_.clear();
+  auto& buffers = slots_[slot].buffers;
+  buffers.clear();
   for (const auto& resource : graph.buffers()) {
-    auto& kept = buffers_[resource.name];
-    if (kept.buffer.size() < resource.bytes || kept.usage != resource.usage || kept.use != resource.use)
-      kept = {resource.usage, resource.use, gpu::Buffer(tools_.device, resource.bytes, resource.usage, resource.use)};
-    if (!resource.contents.empty()) std::ranges::copy(resource.contents, kept.buffer.mapped().begin());
-    buffer_list_.push_back(&kept.buffer);
+    buffers.push_back(resource.imported != nullptr ? resource.imported : &kept_.buffer(resource, slot, runs_));
+    if (!resource.contents.empty()) std::ranges::copy(resource.contents, buffers.back()->mapped().begin());
   }
 }
 
-void Executor::record(const Graph& graph, VkCommandBuffer commands, bool paranoid) {
-  const auto planned = plan(graph);
+std::vector<VkImageLayout> Executor::record(const Graph& graph, Slot& slot, VkCommandBuffer commands, bool paranoid) {
   const auto pass_count = static_cast<std::uint32_t>(graph.passes().size());
-  timers_.begin(commands, pass_count);
-  pass_names_.clear();
-  Context context(tools_, commands, image_list_, buffer_list_);
+  slot.timers.begin(commands, pass_count);
+  slot.pass_names.clear();
+  history_.clear_missing(graph, commands);
+  const bool running = std::any_of(slots_.begin(), slots_.end(), [](const Slot& other) { return other.running; });
+  auto planned = plan(graph, running ? Before::running : Before::finished);
+  Context context(tools_, commands, image_list_, slot.buffers);
   for (std::uint32_t i = 0; i < pass_count; ++i) {
     const auto& pass = graph.passes()[i];
-    pass_names_.push_back(pass.name());
+    slot.pass_names.push_back(pass.name());
     begin_label(commands, pass.name());
     // Before the barriers: a software driver may put a timestamp off until a barrier makes it finish what it has.
-    timers_.start(commands, i);
-    barriers(commands, planned[i], paranoid);
+    slot.timers.start(commands, i);
+    barriers(commands, planned.passes[i], paranoid, slot);
     if (pass.record()) pass.record()(context);
-    timers_.stop(commands, i);
+    slot.timers.stop(commands, i);
     end_label(commands);
-    for (const auto& barrier : planned[i].images) image_list_[barrier.index]->layout = barrier.new_layout;
   }
+  barriers(commands, {planned.closing, {}}, false, slot);
+  return std::move(planned.final_layouts);
 }
 
-void Executor::barriers(VkCommandBuffer commands, const PlannedPass& planned, bool paranoid) const {
+void Executor::barriers(VkCommandBuffer commands, const PlannedPass& planned, bool paranoid, const Slot& slot) const {
   std::vector<VkImageMemoryBarrier2> images;
   for (const auto& b : planned.images) {
     const auto& image = *image_list_[b.index];
     const auto before = paranoid ? gpu::kAllWork : gpu::Scope{b.src_stages, b.src_access};
     const auto after = paranoid ? gpu::kAllWork : gpu::Scope{b.dst_stages, b.dst_access};
-    images.push_back(gpu::image_barrier(image, before, after, {b.old_layout, b.new_layout}));
+    images.push_back(gpu::image_barrier(image, before, after, {b.old_layout, b.new_layout}, b.mips));
   }
   std::vector<VkBufferMemoryBarrier2> buffers;
   for (const auto& b : planned.buffers)
@@ -78,7 +115,7 @@ void Executor::barriers(VkCommandBuffer commands, const PlannedPass& planned, bo
                        .dstAccessMask = b.dst_access,
                        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                       .buffer = buffer_list_[b.index]->vk(),
+                       .buffer = slot.buffers[b.index]->vk(),
                        .size = VK_WHOLE_SIZE});
   if (!paranoid && images.empty() && buffers.empty()) return;
   constexpr VkMemoryBarrier2 kFull = gpu::memory_barrier(gpu::kAllWork, gpu::kAllWork);
@@ -102,11 +139,26 @@ void Executor::end_label(VkCommandBuffer commands) const {
   if (tools_.device.has_labels()) vkCmdEndDebugUtilsLabelEXT(commands);
 }
 
-std::vector<PassTiming> Executor::timings() const {
-  const auto ms = timers_.read();
+const Executor::Slot& Executor::slot_of(gpu::Submission submission) const {
+  const auto found = std::find_if(slots_.begin(), slots_.end(),
+                                  [submission](const Slot& slot) { return slot.submission == submission; });
+  VEL_ASSERT(found != slots_.end());
+  return *found;
+}
+
+std::vector<PassTiming> Executor::timings_of(const Slot& slot) const {
+  const auto ms = slot.timers.read();
   std::vector<PassTiming> result;
-  for (std::size_t i = 0; i < ms.size(); ++i) result.push_back({pass_names_[i], ms[i]});
+  for (std::size_t i = 0; i < ms.size(); ++i) result.push_back({slot.pass_names[i], ms[i]});
   return result;
+}
+
+std::vector<PassTiming> Executor::timings(gpu::Submission submission) const {
+  return timings_of(slot_of(submission));
+}
+
+const gpu::Buffer& Executor::buffer(GraphBuffer handle, gpu::Submission submission) const {
+  return *slot_of(submission).buffers[handle.index];
 }
 
 double Executor::frame_ms() const {
@@ -124,15 +176,26 @@ std::vector<std::string> Executor::image_names() const {
   return image_names_;
 }
 
-std::uint64_t Executor::kept_bytes(const std::string& name) const {
-  const auto kept = images_.find(name);
-  return kept == images_.end() ? 0 : kept->second.bytes();
+std::vector<KeptImage> Executor::images() const {
+  auto result = kept_.images(runs_);
+  for (const auto& [name, pair] : history_.pairs()) {
+    const bool declared = pair.declared_in == runs_;
+    const auto &newest = pair.images[1 - pair.current], &older = pair.images[pair.current];
+    if (newest) result.push_back({name, newest.bytes(), declared});
+    if (older) result.push_back({name + ".previous", older.bytes(), declared});
+  }
+  return result;
 }
 
-void Executor::drop(const std::string& name) {
-  image_list_.clear();
-  image_names_.clear();
-  images_.erase(name);
+void Executor::sweep() {
+  wait();
+  if (swept_run_ == runs_) {  // the last graph's own go too
+    image_list_.clear();
+    image_names_.clear();
+  }
+  kept_.free_declared_until(swept_run_);
+  history_.free_declared_until(swept_run_);
+  swept_run_ = runs_;
 }
 
 }  // namespace velarium::graph

@@ -3,9 +3,10 @@
 #include "gpu/timers.hpp"
 #include "gpu/gpu_context.hpp"
 #include "graph/graph.hpp"
+#include "graph/kept.hpp"
 #include "graph/plan.hpp"
 
-#include <map>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -20,45 +21,78 @@ struct PassTiming {
 // planned barriers, labels and times each pass.
 class Executor {
  public:
-  explicit Executor(gpu::GpuContext& tools) : tools_(tools), timers_(tools.device) {}
+  explicit Executor(gpu::GpuContext& tools);
+  // Waits for what runs.
+  ~Executor();
+  Executor(const Executor&) = delete;
+  Executor& operator=(const Executor&) = delete;
 
   // Records, submits and waits. `paranoid`: each barrier becomes a full one.
-  // Throws Error(temporary) as gpu::Device::submit_and_wait does.
+  // Throws Error(temporary) as gpu::Device::wait() does, and Error(internal) as plan() does and for a history that has
+  // changed since the graph was declared.
   void run(const Graph& graph, bool paranoid = false);
 
-  // Of the last run.
-  [[nodiscard]] std::vector<PassTiming> timings() const;
-  [[nodiscard]] double frame_ms() const;
-  [[nodiscard]] const gpu::Buffer& buffer(GraphBuffer handle) const { return *buffer_list_[handle.index]; }
+  // Records and submits, and returns while the device may still work: for loops, which record a frame while the one
+  // before runs. At most kMaxRunning run at once: the next waits for the first of them. Throws as run(). What the graph
+  // imports must stay as it is until the submission has finished, and only this executor may use its toolbox until
+  // then.
+  gpu::Submission submit(const Graph& graph, bool paranoid = false);
+  // Waits for all that was submitted, or for one submission and those before it. Throws as gpu::Device::wait().
+  void wait();
+  void wait(gpu::Submission submission);
 
-  // An image of the last run by its full name ("gbuffer.depth"), or null; it stays until the next run.
+  // Times of the passes, and a buffer, of the last submission, or of one of the last kMaxRunning. Times wait for the
+  // device; whoever reads a buffer must have waited. A buffer stays as it is until its slot comes round again.
+  [[nodiscard]] std::vector<PassTiming> timings() const { return timings_of(slots_[last_slot_]); }
+  [[nodiscard]] std::vector<PassTiming> timings(gpu::Submission submission) const;
+  [[nodiscard]] double frame_ms() const;
+  [[nodiscard]] const gpu::Buffer& buffer(GraphBuffer handle) const {
+    return *slots_[last_slot_].buffers[handle.index];
+  }
+  [[nodiscard]] const gpu::Buffer& buffer(GraphBuffer handle, gpu::Submission submission) const;
+
+  // Against which graphs that ask for images of the frame before are declared: Graph graph(executor.history()).
+  [[nodiscard]] HistoryStore* history() { return &history_; }
+  // For a new picture: from here on there is no frame before.
+  void forget_history() { history_.forget(); }
+
+  // An image of the last graph by its full name ("gbuffer.depth"), or null; it stays until the next one.
   [[nodiscard]] gpu::Image* find_image(const std::string& name);
   [[nodiscard]] std::vector<std::string> image_names() const;
 
-  // Device memory of an image that some run declared, which is kept for the next; 0 where there is none.
-  [[nodiscard]] std::uint64_t kept_bytes(const std::string& name) const;
-  // Gives back such an image. Between runs of different pictures: those of the last run can no longer be found.
-  void drop(const std::string& name);
+  // Every image that is kept, by full name: those of graphs, then those of the frame before and after.
+  [[nodiscard]] std::vector<KeptImage> images() const;
+  // Frees the images and buffers that no graph since the last sweep declared. Waits for what runs.
+  void sweep();
 
  private:
-  void allocate(const Graph& graph);
-  void record(const Graph& graph, VkCommandBuffer commands, bool paranoid);
-  void barriers(VkCommandBuffer commands, const PlannedPass& planned, bool paranoid) const;
+  // What a submission has for itself until it has finished.
+  struct Slot {
+    explicit Slot(gpu::Device& device) : timers(device) {}
+    gpu::Timers timers;
+    gpu::Submission submission{};
+    bool running = false;
+    std::vector<std::string> pass_names;
+    std::vector<gpu::Buffer*> buffers;  // by index in the graph
+  };
+  [[nodiscard]] std::size_t free_slot();
+  [[nodiscard]] const Slot& slot_of(gpu::Submission submission) const;
+  [[nodiscard]] std::vector<PassTiming> timings_of(const Slot& slot) const;
+  void allocate(const Graph& graph, std::size_t slot);
+  // Returns the layouts in which the images are left.
+  std::vector<VkImageLayout> record(const Graph& graph, Slot& slot, VkCommandBuffer commands, bool paranoid);
+  void barriers(VkCommandBuffer commands, const PlannedPass& planned, bool paranoid, const Slot& slot) const;
   void begin_label(VkCommandBuffer commands, const std::string& name) const;
   void end_label(VkCommandBuffer commands) const;
 
   gpu::GpuContext& tools_;
-  gpu::Timers timers_;
-  std::map<std::string, gpu::Image> images_;
-  struct KeptBuffer {
-    VkBufferUsageFlags usage = 0;
-    gpu::MemoryUse use = gpu::MemoryUse::device;
-    gpu::Buffer buffer;
-  };
-  std::map<std::string, KeptBuffer> buffers_;
-  std::vector<gpu::Image*> image_list_;  // by index in the graph
-  std::vector<gpu::Buffer*> buffer_list_;
-  std::vector<std::string> pass_names_, image_names_;
+  std::array<Slot, kMaxRunning> slots_;
+  std::size_t last_slot_ = 0;
+  KeptResources kept_;
+  HistoryStore history_;
+  std::uint64_t runs_ = 0, swept_run_ = 0;  // numbers of the last run, and of the last before the last sweep
+  std::vector<gpu::Image*> image_list_;     // of the last graph, by index
+  std::vector<std::string> image_names_;
 };
 
 }  // namespace velarium::graph

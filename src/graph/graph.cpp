@@ -1,57 +1,59 @@
 #include "graph/graph.hpp"
 
+#include "graph/checks.hpp"
+
 #include <velarium/error.hpp>
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace velarium::graph {
 namespace {
 
-// Shared by images and buffers: a handle must name the newest version, and a read needs one that was written.
-template <class Handle, class Resource>
-void refuse_stale(const Pass& pass, Handle handle, const std::vector<Resource>& resources, bool needs_contents) {
-  const auto& resource = resources.at(handle.index);
-  if (handle.version != resource.version)
-    throw Error(ErrorCode::internal, fmt::format("pass '{}' uses version {} of '{}', whose newest is {}", pass.name(),
-                                                 handle.version, resource.name, resource.version));
-  if (needs_contents && handle.version == 0)
-    throw Error(ErrorCode::internal,
-                fmt::format("pass '{}' reads '{}' before any pass wrote it", pass.name(), resource.name));
-}
-
-void refuse_read_only(const Pass& pass, const AccessInfo& access, const std::string& resource) {
-  if (access.writes == 0)
-    throw Error(ErrorCode::internal,
-                fmt::format("pass '{}' writes '{}' by an access that only reads", pass.name(), resource));
-}
-
 template <class Resource>
-void refuse_twice(std::string_view name, const std::string& maker, const std::vector<Resource>& resources) {
-  for (const auto& other : resources)
-    if (other.name == name)
-      throw Error(ErrorCode::internal, fmt::format("{} makes two resources named '{}'", maker, name));
+bool is_taken(const std::vector<Resource>& resources, const std::string& full_name) {
+  return std::any_of(resources.begin(), resources.end(),
+                     [&](const Resource& other) { return other.has_full_name && other.name == full_name; });
 }
 
 // The first write gives a resource its full name, under which the executor keeps it and --dump finds it.
 template <class Resource>
 void name_on_first_write(const Pass& pass, std::vector<Resource>& resources, std::uint32_t index) {
-  if (resources[index].version != 0) return;
-  const std::string name = pass.name() + "." + resources[index].name;
-  refuse_twice(name, "pass '" + pass.name() + "'", resources);
-  resources[index].name = name;
+  auto& resource = resources[index];
+  if (resource.has_full_name) return;
+  const std::string name = pass.name() + "." + resource.name;
+  refuse_same_name(pass, is_taken(resources, name), name);
+  resource.name = name;
+  resource.has_full_name = true;
 }
 
 }  // namespace
 
+Graph::Scope::Scope(Graph& graph, std::string_view name) : graph_(graph), outer_length_(graph.prefix_.size()) {
+  if (!name.empty()) graph.prefix_ += std::string(name) + "/";
+}
+
+Graph::Scope::~Scope() {
+  graph_.prefix_.resize(outer_length_);
+}
+
+GraphImage Graph::add(ImageResource resource) {
+  resource.mip_versions.assign(resource.desc.mips, resource.version);
+  images_.push_back(std::move(resource));
+  return {static_cast<std::uint32_t>(images_.size() - 1), images_.back().version};
+}
+
 GraphImage Graph::image(std::string_view name, const gpu::ImageDesc& desc) {
-  images_.push_back({.name = std::string(name), .desc = desc});
-  return {static_cast<std::uint32_t>(images_.size() - 1), 0};
+  return add({.name = std::string(name), .desc = desc});
 }
 
 GraphImage Graph::import(std::string_view name, gpu::Image& image, bool initialized) {
-  const std::uint32_t version = initialized ? 1 : 0;
-  images_.push_back({.name = std::string(name), .desc = image.desc(), .imported = &image, .version = version});
-  return {static_cast<std::uint32_t>(images_.size() - 1), version};
+  return add({.name = (initialized ? prefix_ : std::string()).append(name),
+              .has_full_name = initialized,
+              .desc = image.desc(),
+              .imported = &image,
+              .version = initialized ? 1u : 0u});
 }
 
 GraphBuffer Graph::buffer(std::string_view name, VkDeviceSize bytes, gpu::MemoryUse use) {
@@ -59,9 +61,22 @@ GraphBuffer Graph::buffer(std::string_view name, VkDeviceSize bytes, gpu::Memory
   return {static_cast<std::uint32_t>(buffers_.size() - 1), 0};
 }
 
+GraphBuffer Graph::import(std::string_view name, gpu::Buffer& buffer, bool initialized) {
+  const std::uint32_t version = initialized ? 1 : 0;
+  buffers_.push_back({.name = (initialized ? prefix_ : std::string()).append(name),
+                      .has_full_name = initialized,
+                      .bytes = buffer.size(),
+                      .imported = &buffer,
+                      .version = version});
+  return {static_cast<std::uint32_t>(buffers_.size() - 1), version};
+}
+
 GraphBuffer Graph::upload(std::string_view name, std::span<const std::byte> bytes) {
-  refuse_twice(name, "the graph", buffers_);
-  buffers_.push_back({.name = std::string(name),
+  const std::string full_name = prefix_ + std::string(name);
+  if (is_taken(buffers_, full_name))
+    throw Error(ErrorCode::internal, fmt::format("table '{}' is the second buffer of that name", full_name));
+  buffers_.push_back({.name = full_name,
+                      .has_full_name = true,
                       .bytes = bytes.size(),
                       .use = gpu::MemoryUse::upload,
                       .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
@@ -70,39 +85,67 @@ GraphBuffer Graph::upload(std::string_view name, std::span<const std::byte> byte
   return {static_cast<std::uint32_t>(buffers_.size() - 1), 1};
 }
 
+History Graph::history(std::string_view name, const gpu::ImageDesc& desc) {
+  const std::string full_name = prefix_ + std::string(name);
+  if (history_ == nullptr)
+    throw Error(ErrorCode::internal,
+                fmt::format("history '{}' in a graph that was made without the executor's history", full_name));
+  if (is_taken(images_, full_name))
+    throw Error(ErrorCode::internal, fmt::format("history '{}' is the second image of that name", full_name));
+  auto& pair = history_->pair(full_name);
+  History result;
+  result.has_contents = pair.has_contents && pair.desc == desc;
+  result.previous = add({.name = full_name + ".previous",
+                         .has_full_name = true,
+                         .desc = desc,
+                         .imported = &pair.newest(),
+                         .is_previous = true,
+                         .version = 1});
+  result.current = add({.name = full_name, .has_full_name = true, .desc = desc, .imported = &pair.next()});
+  histories_.push_back({full_name, result.previous.index, result.current.index, result.has_contents, pair.state});
+  return result;
+}
+
 Pass& Graph::pass(std::string_view name) {
-  return passes_.emplace_back(*this, name);
+  return passes_.emplace_back(*this, prefix_ + std::string(name));
 }
 
 Pass& Pass::read(GraphImage image, Access access) {
-  refuse_stale(*this, image, graph_.images_, true);
-  auto& resource = graph_.images_[image.index];
-  resource.usage |= access_info(access, gpu::has_depth(resource.desc.format)).image_usage;
-  image_uses_.push_back({image.index, access, false});
+  auto& resource = graph_.images_.at(image.index);
+  const AccessInfo info = access_info(access, gpu::has_depth(resource.desc.format));
+  refuse_misfit(*this, image, resource, info);
+  refuse_stale(*this, image, resource, true);
+  resource.usage |= info.image_usage;
+  image_uses_.push_back({image.index, access, false, image.mip});
   return *this;
 }
 
 Pass& Pass::read(GraphBuffer buffer, Access access) {
-  refuse_stale(*this, buffer, graph_.buffers_, true);
-  graph_.buffers_[buffer.index].usage |= access_info(access, false).buffer_usage;
+  auto& resource = graph_.buffers_.at(buffer.index);
+  refuse_stale(*this, buffer, resource, true);
+  resource.usage |= access_info(access, false).buffer_usage;
   buffer_uses_.push_back({buffer.index, access, false});
   return *this;
 }
 
 GraphImage Pass::write(GraphImage image, Access access) {
-  refuse_stale(*this, image, graph_.images_, false);
-  auto& resource = graph_.images_[image.index];
+  auto& resource = graph_.images_.at(image.index);
   const AccessInfo info = access_info(access, gpu::has_depth(resource.desc.format));
+  refuse_misfit(*this, image, resource, info);
+  refuse_stale(*this, image, resource, false);
   refuse_read_only(*this, info, resource.name);
   name_on_first_write(*this, graph_.images_, image.index);
   resource.usage |= info.image_usage;
-  image_uses_.push_back({image.index, access, true});
-  return {image.index, ++resource.version};
+  image_uses_.push_back({image.index, access, true, image.mip});
+  ++resource.version;
+  const auto written = mips_of(image.mip, resource.desc.mips);
+  std::fill_n(resource.mip_versions.begin() + written.first, written.count, resource.version);
+  return {image.index, resource.version, image.mip};
 }
 
 GraphBuffer Pass::write(GraphBuffer buffer, Access access) {
-  refuse_stale(*this, buffer, graph_.buffers_, false);
-  auto& resource = graph_.buffers_[buffer.index];
+  auto& resource = graph_.buffers_.at(buffer.index);
+  refuse_stale(*this, buffer, resource, false);
   const AccessInfo info = access_info(access, false);
   refuse_read_only(*this, info, resource.name);
   name_on_first_write(*this, graph_.buffers_, buffer.index);

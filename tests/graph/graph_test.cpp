@@ -1,26 +1,13 @@
 // What a graph refuses, and the names it gives.
 
+#include "refusals.hpp"
+
 #include "graph/plan.hpp"
-
-#include <velarium/error.hpp>
-
-#include <gtest/gtest.h>
 
 namespace velarium::graph {
 namespace {
 
 constexpr gpu::ImageDesc kColor{.format = VK_FORMAT_R16G16B16A16_SFLOAT, .width = 8, .height = 8};
-
-template <class Deed>
-void expect_internal_error(const Deed& deed, const std::string& part_of_message) {
-  try {
-    deed();
-    FAIL() << "nothing was thrown";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::internal);
-    EXPECT_NE(std::string(error.what()).find(part_of_message), std::string::npos) << error.what();
-  }
-}
 
 TEST(Graph, RefusesToReadAnOldVersion) {
   Graph graph;
@@ -107,6 +94,28 @@ TEST(Graph, UsagesAreThoseOfAllPasses) {
   EXPECT_EQ(graph.images()[color.index].usage,
             static_cast<VkImageUsageFlags>(VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
                                            VK_IMAGE_USAGE_TRANSFER_SRC_BIT));
+}
+
+TEST(Graph, AnImportedBufferIsReadableOnlyIfInitialized) {
+  gpu::Buffer kept;
+  Graph graph;
+  const auto with_contents = graph.import("table", kept, true);
+  EXPECT_NO_THROW(graph.pass("look up").read(with_contents, Access::compute_sample));
+  const auto without = graph.import("fresh", kept, false);
+  expect_internal_error([&] { graph.pass("look up").read(without, Access::compute_sample); },
+                        "before any pass wrote it");
+  const auto written = graph.pass("fill").write(without, Access::compute_storage);
+  EXPECT_EQ(graph.buffers()[written.index].name, "fill.fresh");
+  EXPECT_EQ(graph.buffers()[with_contents.index].name, "table");
+}
+
+TEST(Graph, RefusesA3dImageAsATarget) {
+  Graph graph;
+  const auto volume = graph.image("volume", {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .depth = 4});
+  auto& pass = graph.pass("draw");
+  expect_internal_error([&] { static_cast<void>(pass.write(volume, Access::color_attachment)); },
+                        "'draw' has the 3-D image 'volume' as a target");
+  EXPECT_EQ(pass.write(volume, Access::compute_storage).version, 1u);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ bool holds(VkFlags64 flags, VkFlags64 wanted) {
 TEST(Plan, FirstWriteDiscardsWhatWasThere) {
   Graph graph;
   const auto color = graph.pass("draw").write(graph.image("color", kColor), Access::color_attachment);
-  const auto planned = plan(graph);
+  const auto planned = plan(graph).passes;
   ASSERT_EQ(planned[0].images.size(), 1u);
   const auto& barrier = planned[0].images[0];
   EXPECT_EQ(barrier.index, color.index);
@@ -41,7 +41,7 @@ TEST(Plan, ASecondReadingStageKeepsItsBarrier) {
   const auto color = graph.pass("draw").write(graph.image("color", kColor), Access::color_attachment);
   graph.pass("shade").read(color, Access::compute_sample);
   graph.pass("blend").read(color, Access::fragment_sample);
-  const auto planned = plan(graph);
+  const auto planned = plan(graph).passes;
 
   ASSERT_EQ(planned[1].images.size(), 1u);
   EXPECT_EQ(planned[1].images[0].src_stages, kColorOutput);
@@ -63,7 +63,7 @@ TEST(Plan, ASecondReadAtOneStageNeedsNoBarrier) {
   const auto color = graph.pass("draw").write(graph.image("color", kColor), Access::color_attachment);
   graph.pass("first").read(color, Access::compute_sample);
   graph.pass("second").read(color, Access::compute_sample);
-  const auto planned = plan(graph);
+  const auto planned = plan(graph).passes;
   EXPECT_EQ(planned[1].images.size(), 1u);
   EXPECT_TRUE(planned[2].images.empty());
 }
@@ -73,7 +73,7 @@ TEST(Plan, AWriteWaitsForReadersButFlushesNothing) {
   const auto color = graph.pass("fill").write(graph.image("color", kColor), Access::compute_storage);
   graph.pass("read").read(color, Access::compute_storage);
   static_cast<void>(graph.pass("refill").write(color, Access::compute_storage));
-  const auto planned = plan(graph);
+  const auto planned = plan(graph).passes;
   ASSERT_EQ(planned[2].images.size(), 1u);
   EXPECT_TRUE(holds(planned[2].images[0].src_stages, kCompute));
   EXPECT_EQ(planned[2].images[0].src_access, 0u) << "the readers' barrier has flushed the write: execution is enough";
@@ -85,7 +85,7 @@ TEST(Plan, AWriteWaitsForReadersOfEveryStage) {
   graph.pass("shade").read(color, Access::compute_sample);
   graph.pass("blend").read(color, Access::fragment_sample);
   static_cast<void>(graph.pass("redraw").write(color, Access::color_attachment));
-  const auto planned = plan(graph);
+  const auto planned = plan(graph).passes;
   ASSERT_EQ(planned[3].images.size(), 1u);
   EXPECT_TRUE(holds(planned[3].images[0].src_stages, kCompute | kFragment));
   EXPECT_EQ(planned[3].images[0].old_layout, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
@@ -97,7 +97,7 @@ TEST(Plan, ALayoutChangeBetweenReadersWaitsForThem) {
   graph.pass("shade").read(color, Access::compute_sample);
   graph.pass("copy").read(color, Access::transfer_read);
   graph.pass("shade again").read(color, Access::compute_sample);
-  const auto planned = plan(graph);
+  const auto planned = plan(graph).passes;
 
   ASSERT_EQ(planned[2].images.size(), 1u);
   EXPECT_TRUE(holds(planned[2].images[0].src_stages, kCompute));
@@ -113,7 +113,7 @@ TEST(Plan, AWriteAfterAWriteFlushesTheFirst) {
   Graph graph;
   const auto once = graph.pass("draw").write(graph.image("color", kColor), Access::color_attachment);
   static_cast<void>(graph.pass("draw more").write(once, Access::color_attachment));
-  const auto planned = plan(graph);
+  const auto planned = plan(graph).passes;
   ASSERT_EQ(planned[1].images.size(), 1u);
   const auto& barrier = planned[1].images[0];
   EXPECT_EQ(barrier.src_stages, kColorOutput);
@@ -129,7 +129,7 @@ TEST(Plan, DepthIsSampledAndTestedInOnePassBehindOneBarrier) {
   auto& pass = graph.pass("decals");
   pass.read(depth, Access::depth_test);
   pass.read(depth, Access::fragment_sample);
-  const auto planned = plan(graph);
+  const auto planned = plan(graph).passes;
 
   EXPECT_EQ(planned[0].images[0].new_layout, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL);
   ASSERT_EQ(planned[1].images.size(), 1u);
@@ -147,7 +147,7 @@ TEST(Plan, DepthSampledInComputeThenTestedNeedsBothStages) {
   const auto depth = graph.pass("gbuffer").write(graph.image("depth", kDepth), Access::depth_attachment);
   graph.pass("occlusion").read(depth, Access::compute_sample);
   graph.pass("glass").read(depth, Access::depth_test);
-  const auto planned = plan(graph);
+  const auto planned = plan(graph).passes;
   ASSERT_EQ(planned[1].images.size(), 1u);
   ASSERT_EQ(planned[2].images.size(), 1u);
   EXPECT_EQ(planned[2].images[0].old_layout, planned[2].images[0].new_layout);
@@ -160,7 +160,7 @@ TEST(Plan, AnImportedImageWaitsForAnyoneBeforeTheFrame) {
   Graph graph;
   const auto history = graph.import("history", kept, true);
   graph.pass("blend").read(history, Access::compute_sample);
-  const auto planned = plan(graph);
+  const auto planned = plan(graph).passes;
   ASSERT_EQ(planned[0].images.size(), 1u);
   const auto& barrier = planned[0].images[0];
   EXPECT_EQ(barrier.src_stages, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT);
@@ -174,7 +174,7 @@ TEST(Plan, AnImportedImageAlreadyInItsLayoutStillWaits) {
   kept.layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
   Graph graph;
   graph.pass("blend").read(graph.import("history", kept, true), Access::compute_sample);
-  EXPECT_EQ(plan(graph)[0].images.size(), 1u);
+  EXPECT_EQ(plan(graph).passes[0].images.size(), 1u);
 }
 
 TEST(Plan, BuffersGoFromWriterToReaderToHost) {
@@ -185,7 +185,7 @@ TEST(Plan, BuffersGoFromWriterToReaderToHost) {
   copy.read(buffer, Access::transfer_read);
   const auto copied = copy.write(host, Access::transfer_write);
   graph.pass("hand over").read(copied, Access::host_read);
-  const auto planned = plan(graph);
+  const auto planned = plan(graph).passes;
 
   EXPECT_TRUE(planned[0].buffers.empty()) << "nobody used the buffer before";
   ASSERT_EQ(planned[1].buffers.size(), 1u);
@@ -205,7 +205,7 @@ TEST(Plan, AStageThatSawOneKindOfReadIsNotTakenForAnother) {
   graph.pass("load").read(buffer, Access::compute_storage);    // storage reads in compute
   graph.pass("draw").read(buffer, Access::fragment_sample);    // uniform reads, but in the fragment stage
   graph.pass("uniform").read(buffer, Access::compute_sample);  // uniform reads in compute: seen by nobody yet
-  const auto planned = plan(graph);
+  const auto planned = plan(graph).passes;
   ASSERT_EQ(planned[3].buffers.size(), 1u);
   EXPECT_TRUE(holds(planned[3].buffers[0].dst_access, VK_ACCESS_2_UNIFORM_READ_BIT));
 }
@@ -214,7 +214,7 @@ TEST(Plan, ReadsNeverAskForWriteAccess) {
   Graph graph;
   const auto color = graph.pass("fill").write(graph.image("color", kColor), Access::compute_storage);
   graph.pass("load").read(color, Access::compute_storage);
-  const auto planned = plan(graph);
+  const auto planned = plan(graph).passes;
   ASSERT_EQ(planned[1].images.size(), 1u);
   EXPECT_EQ(planned[1].images[0].dst_access, VK_ACCESS_2_SHADER_STORAGE_READ_BIT);
 }
@@ -226,12 +226,65 @@ TEST(Plan, ResourcesDoNotDisturbEachOther) {
   const auto b = draw.write(graph.image("b", kColor), Access::color_attachment);
   graph.pass("read a").read(a, Access::compute_sample);
   graph.pass("read b").read(b, Access::compute_sample);
-  const auto planned = plan(graph);
+  const auto planned = plan(graph).passes;
   EXPECT_EQ(planned[0].images.size(), 2u);
   ASSERT_EQ(planned[1].images.size(), 1u);
   EXPECT_EQ(planned[1].images[0].index, a.index);
   ASSERT_EQ(planned[2].images.size(), 1u);
   EXPECT_EQ(planned[2].images[0].index, b.index);
+}
+
+TEST(Plan, AnImportedBufferWaitsForAnyoneBeforeTheFrame) {
+  gpu::Buffer kept;
+  Graph graph;
+  const auto table = graph.import("table", kept, true);
+  graph.pass("look up").read(table, Access::compute_sample);
+  graph.pass("look up again").read(table, Access::compute_sample);
+  const auto planned = plan(graph).passes;
+  ASSERT_EQ(planned[0].buffers.size(), 1u);
+  EXPECT_EQ(planned[0].buffers[0].index, table.index);
+  EXPECT_EQ(planned[0].buffers[0].src_stages, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT);
+  EXPECT_EQ(planned[0].buffers[0].src_access, VK_ACCESS_2_MEMORY_WRITE_BIT);
+  EXPECT_EQ(planned[0].buffers[0].dst_stages, kCompute);
+  EXPECT_TRUE(planned[1].buffers.empty());
+}
+
+TEST(Plan, AWriteToAnImportedBufferWaitsToo) {
+  gpu::Buffer kept;
+  Graph graph;
+  static_cast<void>(graph.pass("fill").write(graph.import("table", kept, false), Access::compute_storage));
+  const auto planned = plan(graph).passes;
+  ASSERT_EQ(planned[0].buffers.size(), 1u);
+  EXPECT_EQ(planned[0].buffers[0].src_stages, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT);
+}
+
+TEST(Plan, WhileAGraphRunsTheNextWaitsForItsImagesAndBuffers) {
+  Graph graph;
+  auto& pass = graph.pass("fill");
+  static_cast<void>(pass.write(graph.image("color", kColor), Access::compute_storage));
+  static_cast<void>(pass.write(graph.buffer("values", 64), Access::compute_storage));
+  const auto alone = plan(graph).passes;
+  EXPECT_EQ(alone[0].images[0].src_stages, 0u);
+  EXPECT_TRUE(alone[0].buffers.empty());
+  const auto behind = plan(graph, Before::running).passes;
+  ASSERT_EQ(behind[0].images.size(), 1u);
+  EXPECT_EQ(behind[0].images[0].src_stages, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT);
+  EXPECT_EQ(behind[0].images[0].old_layout, VK_IMAGE_LAYOUT_UNDEFINED) << "what was in it is still discarded";
+  ASSERT_EQ(behind[0].buffers.size(), 1u);
+  EXPECT_EQ(behind[0].buffers[0].src_stages, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT);
+}
+
+TEST(Plan, SaysInWhichLayoutsImagesAreLeft) {
+  gpu::Image kept;
+  kept.layout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+  Graph graph;
+  const auto color = graph.pass("draw").write(graph.image("color", kColor), Access::color_attachment);
+  graph.pass("shade").read(color, Access::compute_sample);
+  const auto unused = graph.import("unused", kept, true);
+  const auto planned = plan(graph);
+  EXPECT_EQ(planned.final_layouts[color.index], VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  EXPECT_EQ(planned.final_layouts[unused.index], VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+  EXPECT_TRUE(planned.closing.empty());
 }
 
 }  // namespace
