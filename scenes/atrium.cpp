@@ -40,7 +40,7 @@ Scene atrium_scene(std::uint32_t lights, bool sun) {
   atrium::add_awnings(builder);
   const bool torches = lights == kTorches;
   atrium::add_torches(builder, torches, sun ? atrium::kFlameRadius : 0.0f);
-  if (!torches) atrium::add_lamps(builder, lights);
+  if (!torches) atrium::add_extra_lights(builder, lights);
   if (sun) atrium::add_beams(builder);
   add_cameras(builder);
   Scene scene = std::move(builder).take();

@@ -1,7 +1,7 @@
 #include "scenes/atrium_daylight.hpp"
 
 #include "core/jobs.hpp"
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 #include "scenes/atrium_plan.hpp"
 
 #include <glm/common.hpp>
@@ -108,8 +108,8 @@ Image daylight_ramp() {
 
 void measure_daylight(Scene& scene) {
   std::vector<const Instance*> firsts(scene.primitives.size(), nullptr);
-  const Moment moment = moment_at(scene, 0.0f, "");
-  for (const Instance& instance : moment.instances) {
+  const SceneSnapshot snapshot = snapshot_at(scene, 0.0f, "");
+  for (const Instance& instance : snapshot.instances) {
     if (firsts[instance.primitive] == nullptr) firsts[instance.primitive] = &instance;
   }
   parallel_for(scene.primitives.size(), [&](std::size_t i) {

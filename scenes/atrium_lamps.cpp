@@ -12,8 +12,8 @@ namespace velarium::scene::atrium {
 namespace {
 
 constexpr std::uint32_t kSpotEvery = 4;                  // a quarter are spots
-constexpr float kInnerCone = 0.45f, kOuterCone = 0.75f;  // radians from the axis: a lamp with a shade
-constexpr float kWallDistance = 0.3f;                    // metres that lamps keep from walls
+constexpr float kInnerCone = 0.45f, kOuterCone = 0.75f;  // radians from the axis: a light with a shade
+constexpr float kWallDistance = 0.3f;                    // metres that lights keep from walls
 constexpr float kLowest = 0.3f, kHighest = 3.6f;         // metres above the court
 
 // Solid angle of the cone, weighted by the square of KHR_lights_punctual's ramp, which is linear in the cosine: 2 pi
@@ -33,7 +33,7 @@ glm::vec3 spread(std::uint32_t i) {
 
 }  // namespace
 
-void add_lamps(SceneBuilder& builder, std::uint32_t count) {
+void add_extra_lights(SceneBuilder& builder, std::uint32_t count) {
   const float full = 4.0f * glm::pi<float>();
   const float lumens = kTorchCandela * full * static_cast<float>(kTorches) / static_cast<float>(count);
   const glm::vec2 half = kWalls - kWallDistance;
@@ -46,7 +46,7 @@ void add_lamps(SceneBuilder& builder, std::uint32_t count) {
     light.inner_cone = kInnerCone;
     light.outer_cone = kOuterCone;
     light.intensity = lumens / (spot ? spot_solid_angle() : full);
-    // Ends where its illuminance is that of a torch at its end, so that lamps overlap as much, however many there are.
+    // Ends where its illuminance is that of a torch at its end, so that lights overlap as much, however many there are.
     light.range = kTorchRange * std::sqrt(light.intensity / kTorchCandela);
     const glm::vec3 at = spread(i);
     // Near enough to the floor to light it, however short the range is.

@@ -18,7 +18,7 @@ void add_vessels(SceneBuilder& builder);
 void add_awnings(SceneBuilder& builder);
 void add_torches(SceneBuilder& builder, bool lit, float radius);  // unlit ones are meshes alone; radius of their lights
 void add_beams(SceneBuilder& builder);                            // the sun, and a lantern that throws a pattern
-void add_lamps(SceneBuilder& builder, std::uint32_t count);       // lights without meshes
+void add_extra_lights(SceneBuilder& builder, std::uint32_t count);  // lights without meshes
 
 // A torch's light. As bright against the evening sky as pictures at exposure 0 can take: the walls around a torch stay
 // below white.

@@ -22,9 +22,9 @@ glm::vec3 place(float x, float y, float z) {
 
 // Linear BT.709 of the measured reflectances, as most renderers have them.
 constexpr glm::vec3 kWhite{0.725f, 0.71f, 0.68f}, kRed{0.63f, 0.065f, 0.05f}, kGreen{0.14f, 0.45f, 0.091f};
-// The lamp's measured emission, likewise, and its area: 130 x 105 mm, ten times larger.
-constexpr glm::vec3 kLampRadiance{17.0f, 12.0f, 4.0f};
-constexpr float kLampArea = 1.30f * 1.05f;  // m^2
+// The light's measured emission, likewise, and its area: 130 x 105 mm, ten times larger.
+constexpr glm::vec3 kPanelRadiance{17.0f, 12.0f, 4.0f};
+constexpr float kPanelArea = 1.30f * 1.05f;  // m^2
 
 Material matte(const char* name, const glm::vec3& color) {
   Material m;
@@ -62,13 +62,13 @@ void add_blocks(SceneBuilder& builder, std::uint32_t white) {
   builder.place_mesh(builder.add_mesh("tall block", block(counter_clockwise(tall), 3.30f), white), glm::vec3(0.0f));
 }
 
-// A spot light stands in for the lamp's area, with the same flux: the lamp sends pi L A; a spot of outer cone 90
+// A spot light stands in for the light's area, with the same flux: the light sends pi L A; a spot of outer cone 90
 // degrees and inner cone 0 falls off with the squared cosine (KHR_lights_punctual) and sends 2 pi I / 3.
 // The panel only shows where the light is: at radiance 1 it adds some twentieth to it.
-void add_lamp(SceneBuilder& builder) {
+void add_panel(SceneBuilder& builder) {
   constexpr float kBelowCeiling = 547.8f;  // a millimetre, so that the two do not coincide
   Material panel = matte("lamp", glm::vec3(0.0f));
-  panel.emissive = kLampRadiance / kLampRadiance.x;
+  panel.emissive = kPanelRadiance / kPanelRadiance.x;
   const auto mesh = builder.add_mesh("lamp",
                                      quad({place(343, kBelowCeiling, 332), place(213, kBelowCeiling, 332),
                                            place(213, kBelowCeiling, 227), place(343, kBelowCeiling, 227)}),
@@ -77,8 +77,8 @@ void add_lamp(SceneBuilder& builder) {
   Light light;
   light.name = "lamp";
   light.kind = LightKind::spot;
-  light.color = kLampRadiance / kLampRadiance.x;
-  light.intensity = 1.5f * kLampRadiance.x * kLampArea;
+  light.color = kPanelRadiance / kPanelRadiance.x;
+  light.intensity = 1.5f * kPanelRadiance.x * kPanelArea;
   light.inner_cone = 0.0f;
   light.outer_cone = glm::half_pi<float>();
   const glm::quat down = glm::angleAxis(-glm::half_pi<float>(), glm::vec3(1, 0, 0));
@@ -92,7 +92,7 @@ Scene cornell_scene() {
   const auto white = builder.add_material(matte("white", kWhite));
   add_room(builder, white);
   add_blocks(builder, white);
-  add_lamp(builder);
+  add_panel(builder);
   // As measured: 35 mm focal length before 25 mm of film.
   builder.place_camera(2.0f * std::atan(12.5f / 35.0f), 1.0f, place(278, 273, -800), place(278, 273, 0));
   return std::move(builder).take();

@@ -284,7 +284,7 @@ def lights():
 
 
 def clip_volumes():
-    """Two rooms and the wall between: a warm lamp ends at the box of the left room, a cold one at a hexagon in the right."""
+    """Two rooms and the wall between: a warm light ends at the box of the left room, a cold one at a hexagon in the right."""
     g = Gltf()
     grey = g.material([0.7, 0.7, 0.7, 1], roughness=0.8)
     facing = {-1: turn([0, 1, 0], 90), 1: turn([0, 1, 0], -90)}

@@ -56,8 +56,8 @@ class CheckIncludes(unittest.TestCase):
             self.assert_refused(files | {path: include}, "read*")
 
     def test_every_pass_reads_the_gbuffer(self):
-        files = {"src/passes/gbuffer/read_depth.glsl": "", "src/passes/gbuffer/gbuffer.hpp": ""}
-        self.assert_clean(files | {"src/passes/ssdo/ssdo.comp.glsl": '#include "passes/gbuffer/read_depth.glsl"\n'})
+        files = {"src/passes/gbuffer/read_depth_buffer.glsl": "", "src/passes/gbuffer/gbuffer.hpp": ""}
+        self.assert_clean(files | {"src/passes/ssdo/ssdo.comp.glsl": '#include "passes/gbuffer/read_depth_buffer.glsl"\n'})
         self.assert_refused(files | {"src/passes/ssdo/ssdo.cpp": '#include "passes/gbuffer/gbuffer.hpp"\n'}, "read*")
 
     def test_gpu_sees_the_language_of_shading_and_none_of_its_maths(self):

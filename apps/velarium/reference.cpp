@@ -71,7 +71,9 @@ void Reference::add_reference_flags() {
                  set_option(view_.request.settings, "reference.transport", text);
                }});
   flags_->add_option("--shadows", "reference.shadows", "on|off");
-  flags_->add_option("--glow", "reference.glow", "on|off");
+  flags_->add_option("--emissive-lighting", "reference.emissive_lighting", "on|off");
+  flags_->add({"--glow", "on|off", "the old name of --emissive-lighting, until 0.2",
+               [this](const std::string& text) { set_option(view_.request.settings, "reference.glow", text); }});
   flags_->add_option("--threads", "reference.threads", "N");
 }
 

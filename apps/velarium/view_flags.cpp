@@ -79,7 +79,7 @@ void add_view_flags(Flags& flags, View& view) {
   add_light_flags(flags, view);
   add_display_flags(flags, view);
   RenderRequest& request = view.request;
-  flags.add({"--time", "SECONDS", "moment of the animation [0]",
+  flags.add({"--time", "SECONDS", "snapshot of the animation [0]",
              [&request](const std::string& text) { request.time_s = parse_number(text); }});
   flags.add({"--animation", "NAME|INDEX|all", "which animation plays [the first]",
              [&request](const std::string& text) { request.animation = text; }});

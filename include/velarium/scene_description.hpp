@@ -92,7 +92,7 @@ struct NodeDescription {
 
 enum class LightKind : std::uint8_t { directional, point, spot };
 
-// How a lamp's light falls off with distance.
+// How a light's light falls off with distance.
 enum class LightFalloff : std::uint8_t {
   inverse_square,  // intensity in candela
   bulb,            // intensity in lux at 1 m from the surface of a bulb, which needs a radius
@@ -109,8 +109,8 @@ struct LightDescription {
   std::array<float, 3> color{1, 1, 1};  // not negative
   float intensity = 1.0f;               // not negative: lux (directional), else as `falloff` says
   LightFalloff falloff = LightFalloff::inverse_square;
-  float range_m = 0.0f;             // where the light of a lamp ends; 0: nowhere
-  float radius_m = 0.0f;            // of a lamp's bulb; 0: a point
+  float range_m = 0.0f;             // where the light of a light ends; 0: nowhere
+  float radius_m = 0.0f;            // of a light's bulb; 0: a point
   float angular_radius_deg = 0.0f;  // directional: of the disc that is seen, less than 90; 0: one direction
   float inner_cone_deg = 0.0f;      // spot: from the axis, less than the outer; as bright as on the axis
   float outer_cone_deg = 45.0f;     // spot: from the axis, at most 90; no light beyond

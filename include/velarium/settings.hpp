@@ -8,7 +8,7 @@ enum class Sync { normal, paranoid };
 enum class ShadingModel { gltf, ryse, blinn_phong };
 enum class LightingPath { tiled, volumes, all };
 enum class MapUpdate { all, staggered };
-enum class FarSun { off, vsm, static_map };
+enum class FarShadow { off, vsm, static_map };
 enum class DiffuseEnvironment { map, sh };
 enum class ExposureMode { manual, ev100, automatic };
 enum class Tonemap { neutral, agx, aces, linear };
@@ -27,6 +27,7 @@ struct Settings {
 #define VEL_FLOAT(group, name, value, min, max, unit, help) float name = value;
 #define VEL_ENUM(group, name, Type, value, help) Type name = Type::value;
 #define VEL_END(group) } group;
+#define VEL_RENAMED(before, now)
 // clang-format on
 #include <velarium/options.def>
 #undef VEL_GROUP
@@ -36,6 +37,7 @@ struct Settings {
 #undef VEL_FLOAT
 #undef VEL_ENUM
 #undef VEL_END
+#undef VEL_RENAMED
 };
 
 }  // namespace velarium

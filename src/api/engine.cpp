@@ -4,7 +4,7 @@
 
 #include "api/view.hpp"
 #include "frame/renderer.hpp"
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -82,18 +82,19 @@ void Engine::prepare(const RenderRequest& request) {
   const bake::Environment* environment = state_->load_environment(request.environment);
   const RenderRequest small = rehearsal_of(request);
   const scene::Scene nothing;
-  const scene::Moment moment;
+  const scene::SceneSnapshot snapshot;
   const upload::GpuScene gpu_scene(state_->device, nothing);
-  static_cast<void>(state_->renderer.render({gpu_scene, moment, api::camera_of(moment, small), environment, small}));
+  static_cast<void>(
+      state_->renderer.render({gpu_scene, snapshot, api::camera_of(snapshot, small), environment, small}));
 }
 
 RenderResult Engine::render(const Scene& scene, const RenderRequest& request) {
   std::vector<std::string> notes;
-  auto moment = scene::moment_at(scene.tables(), request.time_s, request.animation);
-  const auto* environment = state_->load_environment(api::environment_choice(scene.tables(), moment, request, notes));
-  api::set_lights(request, moment);
+  auto snapshot = scene::snapshot_at(scene.tables(), request.time_s, request.animation);
+  const auto* environment = state_->load_environment(api::environment_choice(scene.tables(), snapshot, request, notes));
+  api::set_lights(request, snapshot);
   const auto& gpu_scene = state_->upload(scene);
-  auto result = state_->renderer.render({gpu_scene, moment, api::camera_of(moment, request), environment, request});
+  auto result = state_->renderer.render({gpu_scene, snapshot, api::camera_of(snapshot, request), environment, request});
   result.report.notes.insert(result.report.notes.begin(), notes.begin(), notes.end());
   return result;
 }

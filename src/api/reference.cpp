@@ -5,7 +5,7 @@
 #include "bake/environment_brdf.hpp"
 #include "frame/check_request.hpp"
 #include "reference/tracer.hpp"
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 #include "upload/clip_volumes.hpp"
 #include "upload/lights.hpp"
 #include "upload/projectors.hpp"
@@ -57,32 +57,34 @@ ReferenceResult render_reference(const Scene& scene, const ReferenceRequest& req
   frame::check_request(view, kLargestSide);
   ReferenceResult result;
   ReferenceReport& report = result.report;
-  auto moment = scene::moment_at(scene.tables(), view.time_s, view.animation);
-  const auto environment = api::environment_pixels(api::environment_choice(scene.tables(), moment, view, report.notes));
-  api::set_lights(view, moment);
+  auto snapshot = scene::snapshot_at(scene.tables(), view.time_s, view.animation);
+  const auto environment =
+      api::environment_pixels(api::environment_choice(scene.tables(), snapshot, view, report.notes));
+  api::set_lights(view, snapshot);
   const auto pictures = upload::projector_pictures(scene.tables());
   const auto projectors = upload::projector_layers(scene.tables(), pictures);
-  const auto camera = api::camera_of(moment, view);
-  const auto volumes = upload::make_clip_volumes(scene.tables(), moment, glm::dvec3(camera.world_from_view[3]));
+  const auto camera = api::camera_of(snapshot, view);
+  const auto volumes = upload::make_clip_volumes(scene.tables(), snapshot, glm::dvec3(camera.world_from_view[3]));
   const auto model = static_cast<std::uint32_t>(view.settings.lighting.model);
   const auto energy = bake::cached_environment_brdf(kEnergyTableSize, shading::environment_model(model));
-  const reference::Job job{.scene = scene.tables(),
-                           .moment = moment,
-                           .camera = camera,
-                           .lamps = upload::gpu_lights(moment.lights, glm::dvec3(camera.world_from_view[3]), pictures),
-                           .clip_records = volumes.records,
-                           .projectors = projectors,
-                           .environment = environment ? &*environment : nullptr,
-                           .energy = energy,
-                           .energy_size = kEnergyTableSize,
-                           .width = view.width,
-                           .height = view.height,
-                           .background = view.background == Background::environment,
-                           .opaque_background = view.background == Background::environment,
-                           .settings = view.settings,
-                           .on_progress = [&](const reference::Progress& p) {
-                             return !request.on_progress || request.on_progress({p.share, p.elapsed_s});
-                           }};
+  const reference::Job job{
+      .scene = scene.tables(),
+      .snapshot = snapshot,
+      .camera = camera,
+      .lights = upload::gpu_lights(snapshot.lights, glm::dvec3(camera.world_from_view[3]), pictures),
+      .clip_records = volumes.records,
+      .projectors = projectors,
+      .environment = environment ? &*environment : nullptr,
+      .energy = energy,
+      .energy_size = kEnergyTableSize,
+      .width = view.width,
+      .height = view.height,
+      .background = view.background == Background::environment,
+      .opaque_background = view.background == Background::environment,
+      .settings = view.settings,
+      .on_progress = [&](const reference::Progress& p) {
+        return !request.on_progress || request.on_progress({p.share, p.elapsed_s});
+      }};
   const reference::Result traced = reference::trace(job);
   const reference::Film& film = traced.film;
   report.notes.insert(report.notes.end(), traced.notes.begin(), traced.notes.end());

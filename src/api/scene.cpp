@@ -3,7 +3,7 @@
 #include "scene/builtin.hpp"
 #include "scene/description.hpp"
 #include "scene/gltf.hpp"
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 #include "scene/scene.hpp"
 
 #include <velarium/error.hpp>
@@ -62,16 +62,16 @@ const char* kind_name(scene::LightKind kind) {
 
 // What the scene shows at time 0: instances are counted as often as they are drawn.
 void count_moment(const scene::Scene& scene, SceneInfo& info) {
-  const auto moment = scene::moment_at(scene, 0.0f, "");
-  for (const auto& instance : moment.instances) count_primitive(scene.primitives[instance.primitive], info);
-  for (const auto& [camera, matrix] : moment.cameras)
+  const auto snapshot = scene::snapshot_at(scene, 0.0f, "");
+  for (const auto& instance : snapshot.instances) count_primitive(scene.primitives[instance.primitive], info);
+  for (const auto& [camera, matrix] : snapshot.cameras)
     info.cameras.push_back(
         {camera.name, camera.kind == scene::Camera::Kind::perspective ? "perspective" : "orthographic", camera.z_near});
-  for (const auto& [light, position, direction, right] : moment.lights)
+  for (const auto& [light, position, direction, right] : snapshot.lights)
     info.lights.push_back({light.name, kind_name(light.kind), to_array(light.color), light.intensity});
-  if (moment.bounds.empty()) return;
-  info.bounds_min = to_array(moment.bounds.min);
-  info.bounds_max = to_array(moment.bounds.max);
+  if (snapshot.bounds.empty()) return;
+  info.bounds_min = to_array(snapshot.bounds.min);
+  info.bounds_max = to_array(snapshot.bounds.max);
 }
 
 // Programs set members of LoadOptions directly. Their texts, read back, go through the checks of the options table.

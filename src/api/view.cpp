@@ -27,7 +27,7 @@ glm::vec3 direction_to(const Sun& sun) {
   return {across * std::sin(azimuth), std::sin(elevation), across * std::cos(azimuth)};
 }
 
-scene::LightInstance lamp_of(const Sun& sun) {
+scene::LightInstance light_of(const Sun& sun) {
   const glm::vec3 to_sun = direction_to(sun);
   const float azimuth = glm::radians(sun.azimuth_deg);
   return {.light = {.name = "sun",
@@ -44,20 +44,20 @@ image::FloatImage white_environment() {
 
 }  // namespace
 
-std::string environment_choice(const scene::Scene& scene, const scene::Moment& moment, const RenderRequest& request,
-                               std::vector<std::string>& notes) {
+std::string environment_choice(const scene::Scene& scene, const scene::SceneSnapshot& snapshot,
+                               const RenderRequest& request, std::vector<std::string>& notes) {
   if (!request.environment.empty()) return request.environment;
   if (!scene.environment.empty()) return scene.environment;
-  if (moment.lights.empty() && !request.sun) return kStudio;
-  notes.emplace_back(moment.lights.empty()
+  if (snapshot.lights.empty() && !request.sun) return kStudio;
+  notes.emplace_back(snapshot.lights.empty()
                          ? "the sun shines alone, as the environment is off; --env sky adds a sky"
                          : "the scene brings its own lights, so the environment is off; --env studio turns one on");
   return kNone;
 }
 
-void set_lights(const RenderRequest& request, scene::Moment& moment) {
-  if (!request.settings.lighting.punctual) moment.lights.clear();
-  if (request.sun) moment.lights.push_back(lamp_of(*request.sun));
+void set_lights(const RenderRequest& request, scene::SceneSnapshot& snapshot) {
+  if (!request.settings.lighting.punctual) snapshot.lights.clear();
+  if (request.sun) snapshot.lights.push_back(light_of(*request.sun));
 }
 
 std::optional<image::FloatImage> environment_pixels(const std::string& name) {
@@ -68,14 +68,14 @@ std::optional<image::FloatImage> environment_pixels(const std::string& name) {
   return image::load_radiance(name);
 }
 
-scene::CameraInstance camera_of(const scene::Moment& moment, const RenderRequest& request) {
+scene::CameraInstance camera_of(const scene::SceneSnapshot& snapshot, const RenderRequest& request) {
   if (request.look_at) {
     const auto& view = *request.look_at;
     return scene::look_at_camera(to_vec3(view.eye), to_vec3(view.target), to_vec3(view.up),
                                  glm::radians(view.vertical_fov_deg));
   }
   const float aspect = static_cast<float>(request.width) / static_cast<float>(std::max(request.height, 1u));
-  return scene::choose_camera(moment, request.camera, aspect);
+  return scene::choose_camera(snapshot, request.camera, aspect);
 }
 
 }  // namespace velarium::api

@@ -44,7 +44,7 @@ gpu::ImageDesc irradiance_desc() {
 void bake_irradiance(const image::FloatImage& equirect, std::span<std::byte> texels) {
   const auto values = irradiance_cube(equirect, kIrradianceSize);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    // The largest half: lamps above it exist, irradiance above it does not in any picture that shows more than white.
+    // The largest half: lights above it exist, irradiance above it does not in any picture that shows more than white.
     const std::uint64_t packed =
         glm::packHalf4x16(glm::vec4(glm::min(values[i], glm::vec3(shading::kLargestHalf)), 1.0f));
     std::memcpy(texels.data() + i * sizeof(packed), &packed, sizeof(packed));

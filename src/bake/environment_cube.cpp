@@ -49,7 +49,7 @@ constexpr std::array<LobeGrid, shading::kPrefilterLevels> kGrids{
     {{}, {0.6f, 0.45f}, {0.3f, 0.2f}, {0.15f, 0.08f}, {0.08f, 0.04f}, {0.04f, 0.04f}, {0.02f, 0.02f}}};
 
 // Bilinear reads this far apart, in texels of the picture, weigh every texel alike within 1 %, also where rows draw
-// together towards the poles: no small lamp is missed or counted twice.
+// together towards the poles: no small light is missed or counted twice.
 constexpr double kTapSpacing = 0.3;
 // A side of a cube texel. Pictures that would need more (wider than 2170 pixels) are read from a smaller mip.
 constexpr std::uint32_t kMostTaps = 9;

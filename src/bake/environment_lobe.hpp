@@ -21,7 +21,7 @@ struct LobeGrid {
 
 // The GGX lobe seen head-on, n = v = r, cut into cells that cover its hemisphere: rings about the axis, and each ring
 // into nearly square cells. Sampling by the lobe's density instead [Colbert & Krivanek 2007] spends next to nothing on
-// the tails, where a lamp can be a thousand times brighter than what lies on the axis: it left speckles around lamps.
+// the tails, where a light can be a thousand times brighter than what lies on the axis: it left speckles around lights.
 // alpha > 0; face_size: pixels a side of the source's level 0.
 [[nodiscard]] std::vector<LobeSample> cut_lobe(float alpha, const LobeGrid& grid, float face_size);
 

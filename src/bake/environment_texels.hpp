@@ -20,7 +20,7 @@ namespace velarium::bake {
 }
 
 // All mips as rgba16f, mip 0 first, rows tightly packed; values are clamped to 65504, alpha is 1.
-// A pixel of a smaller mip is the mean radiance of its pixels by solid angle, so that small lamps keep their power.
+// A pixel of a smaller mip is the mean radiance of its pixels by solid angle, so that small lights keep their power.
 [[nodiscard]] std::vector<std::uint16_t> half_mips(const image::FloatImage& equirect);
 
 }  // namespace velarium::bake

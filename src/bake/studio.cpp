@@ -20,7 +20,7 @@ struct SoftBox {
   vec3 side;       // roughly along its width
   vec2 half_size;  // of the rectangle at distance 1
   float radiance;  // at its middle
-  float rim;       // what is left of it at the edge: the lamp sits behind the middle of the cloth
+  float rim;       // what is left of it at the edge: the light sits behind the middle of the cloth
 };
 
 constexpr std::array kBoxes{

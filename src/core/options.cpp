@@ -1,6 +1,7 @@
 #include <velarium/options.hpp>
 
 #include "core/enum_names.hpp"
+#include "core/log.hpp"
 
 #include <velarium/error.hpp>
 
@@ -110,6 +111,7 @@ std::vector<Row> make_rows() {
 #define VEL_FLOAT(group, name, value, min, max, unit, help) VEL_ROW(group, name, min, max, unit, help)
 #define VEL_ENUM(group, name, Type, value, help) VEL_ROW(group, name, 0, 0, "", help)
 #define VEL_END(group)
+#define VEL_RENAMED(before, now)
 #include <velarium/options.def>
 #undef VEL_ROW
 #undef VEL_GROUP
@@ -119,7 +121,39 @@ std::vector<Row> make_rows() {
 #undef VEL_FLOAT
 #undef VEL_ENUM
 #undef VEL_END
+#undef VEL_RENAMED
   return rows;
+}
+
+struct Renamed {
+  std::string_view before, now;
+};
+constexpr Renamed kRenamed[] = {
+#define VEL_GROUP(group, help)
+#define VEL_BOOL(group, name, value, help)
+#define VEL_INT(group, name, value, min, max, unit, help)
+#define VEL_COUNT(group, name, value, min, max, unit, help)
+#define VEL_FLOAT(group, name, value, min, max, unit, help)
+#define VEL_ENUM(group, name, Type, value, help)
+#define VEL_END(group)
+#define VEL_RENAMED(before, now) {before, now},
+#include <velarium/options.def>
+#undef VEL_GROUP
+#undef VEL_BOOL
+#undef VEL_INT
+#undef VEL_COUNT
+#undef VEL_FLOAT
+#undef VEL_ENUM
+#undef VEL_END
+#undef VEL_RENAMED
+};
+
+// The key that an option has now, with a warning where it is asked for by an old one.
+std::string_view current_key(std::string_view key) {
+  const auto* renamed = std::ranges::find(kRenamed, key, &Renamed::before);
+  if (renamed == std::end(kRenamed)) return key;
+  log_warning("option {} is named {} now; the old name goes with version 0.2", key, renamed->now);
+  return renamed->now;
 }
 
 const std::vector<Row>& rows() {
@@ -127,7 +161,8 @@ const std::vector<Row>& rows() {
   return kRows;
 }
 
-const Row& find_row(std::string_view key) {
+const Row& find_row(std::string_view asked) {
+  const std::string_view key = current_key(asked);
   const auto found = std::find_if(rows().begin(), rows().end(), [&](const Row& row) { return row.info.key == key; });
   if (found != rows().end()) return *found;
   std::vector<std::string> keys;
@@ -169,6 +204,7 @@ std::string_view option_group_help(std::string_view group) {
 #define VEL_FLOAT(group, name, value, min, max, unit, help)
 #define VEL_ENUM(group, name, Type, value, help)
 #define VEL_END(group)
+#define VEL_RENAMED(before, now)
 #include <velarium/options.def>
 #undef VEL_GROUP
 #undef VEL_BOOL
@@ -177,6 +213,7 @@ std::string_view option_group_help(std::string_view group) {
 #undef VEL_FLOAT
 #undef VEL_ENUM
 #undef VEL_END
+#undef VEL_RENAMED
   return {};
 }
 

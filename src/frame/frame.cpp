@@ -14,7 +14,7 @@
 #include "passes/light_volumes/light_volumes.hpp"
 #include "passes/lighting/lighting.hpp"
 #include "passes/local_shadows/local_shadows.hpp"
-#include "passes/normal_variance/normal_variance.hpp"
+#include "passes/specular_aa/specular_aa.hpp"
 #include "passes/sun_shadow_mask/sun_shadow_mask.hpp"
 #include "passes/sun_shadows/sun_shadows.hpp"
 
@@ -25,23 +25,27 @@ namespace {
 
 far_shadows::Settings far_settings(const Settings& settings) {
   const auto& sun = settings.sun_shadows;
-  return {.kind = sun.far,
-          .size = sun.far_size,
-          .static_size = sun.static_size,
+  return {.kind = settings.far_shadows.kind,
+          .size = settings.far_shadows.size,
+          .static_size = settings.far_shadows.static_size,
           .soft = sun.soft,
-          .max_blocker_distance = sun.reach,
+          .max_blocker_distance = sun.max_blocker_distance,
           .normal_offset = sun.normal_offset,
           .slope_bias = sun.slope_bias,
           .update = sun.update};
 }
 
+bool has_static_map(const upload::Tables& tables, const Settings& settings) {
+  return far_shadows::possible_kind(settings.far_shadows.kind, tables.casters) == FarShadow::static_map;
+}
+
 // The settings, with maps as large as shadows.memory allows. Of equals, first the far map is made smaller, then the
 // atlas of points and spots, then the cascades.
 Prepared fit_shadow_maps(const upload::Tables& tables, const upload::View& view, const Settings& wanted) {
-  const auto sun = sun_shadows::demand(tables, view.matrices, wanted.sun_shadows);
+  const auto sun = sun_shadows::demand(tables, view.matrices, wanted.sun_shadows, has_static_map(tables, wanted));
   // Far maps that are kept over several pictures stay where a picture does not need them.
   const bool far = !sun.whole || wanted.sun_shadows.update == MapUpdate::staggered;
-  const auto kind = far ? far_shadows::possible_kind(wanted.sun_shadows.far, tables.casters) : FarSun::off;
+  const auto kind = far ? far_shadows::possible_kind(wanted.far_shadows.kind, tables.casters) : FarShadow::off;
   const std::array demands{far_shadows::demand(kind, far_settings(wanted)),
                            local_shadows::demand(tables, wanted.local_shadows), sun.maps};
   const std::uint64_t mask_bytes = sun.any ? sun_shadow_mask::mask_bytes(view.size) : 0;
@@ -49,7 +53,7 @@ Prepared fit_shadow_maps(const upload::Tables& tables, const upload::View& view,
 
   Prepared prepared{.settings = wanted};
   auto& settings = prepared.settings;
-  (kind == FarSun::static_map ? settings.sun_shadows.static_size : settings.sun_shadows.far_size) =
+  (kind == FarShadow::static_map ? settings.far_shadows.static_size : settings.far_shadows.size) =
       fitted.demands[0].side;
   settings.local_shadows.atlas = fitted.demands[1].side;
   settings.sun_shadows.size = fitted.demands[2].side;
@@ -81,7 +85,7 @@ Prepared prepare(State& state, gpu::Device& device, const upload::Tables& tables
   auto prepared = fit_shadow_maps(tables, view, wanted);
   const auto& s = prepared.settings;
   state.local_shadows.prepare(device, tables, {view.matrices, view.size, tables.origin}, s.local_shadows);
-  state.sun_shadows.prepare(device, tables, view.matrices, s.sun_shadows);
+  state.sun_shadows.prepare(device, tables, view.matrices, s.sun_shadows, has_static_map(tables, s));
   const bool far = !state.sun_shadows.empty() && !state.sun_shadows.hold_scene();
   state.far_shadows.prepare(device, tables, far, far_settings(s));
 
@@ -91,13 +95,15 @@ Prepared prepare(State& state, gpu::Device& device, const upload::Tables& tables
   return prepared;
 }
 
-std::vector<MapMemory> shadow_maps(const State& state, const graph::Executor& executor) {
+std::vector<MapMemory> shadow_maps(const State& state, std::span<const graph::KeptImage> images) {
   std::vector<MapMemory> maps;
   for (const auto& held : {state.sun_shadows.memory(), state.far_shadows.memory(), state.local_shadows.memory()})
     maps.insert(maps.end(), held.begin(), held.end());
-  for (const char* name : far_shadows::kSteps) maps.push_back({name, executor.kept_bytes(name)});
-  maps.push_back({sun_shadow_mask::kMask, executor.kept_bytes(sun_shadow_mask::kMask)});
   std::erase_if(maps, [](const MapMemory& map) { return map.bytes == 0; });
+  for (const auto& image : images)
+    if (image.name == sun_shadow_mask::kMask ||
+        std::ranges::find(far_shadows::kSteps, image.name) != far_shadows::kSteps.end())
+      maps.push_back({image.name, image.bytes});
   return maps;
 }
 
@@ -106,7 +112,7 @@ graph::GraphImage add_frame(graph::Graph& g, const FrameInputs& in) {
   const auto scene = passes::frame_scene(g, in.tables, in.view, in.sample);
   const auto drawn = gbuffer::add(g, {scene, in.normal_lengths, s.specular_aa.baked});
   auto surfaces = drawn.gbuffer;
-  surfaces.specular = normal_variance::add(g, {scene, drawn.gbuffer}, s.specular_aa);
+  surfaces.specular = specular_aa::add(g, {scene, drawn.gbuffer}, s.specular_aa);
 
   passes::Illumination light{.scene = scene,
                              .model = s.lighting.model,
@@ -122,7 +128,7 @@ graph::GraphImage add_frame(graph::Graph& g, const FrameInputs& in) {
 
   auto masked = light;  // what opaque surfaces read
   if (!in.state.sun_shadows.empty())
-    masked.sun_mask = sun_shadow_mask::add(g, {light, contact.sun, surfaces.normal, surfaces.depth});
+    masked.sun_shadow_mask = sun_shadow_mask::add(g, {light, contact.sun, surfaces.normal, surfaces.depth});
   graph::GraphImage volume_light;
   if (s.lighting.path == LightingPath::volumes) volume_light = light_volumes::add(g, {masked, surfaces});
   const auto lit = lighting::add(g, {masked, contact.local, surfaces, drawn.hdr, s.lighting.path, volume_light});

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,8 @@ struct Prepared {
                                const upload::View& view, const Settings& settings);
 
 // Device memory of the maps that a picture holds, as dumps name them.
-[[nodiscard]] std::vector<MapMemory> shadow_maps(const State& state, const graph::Executor& executor);
+// images: those that the executor keeps.
+[[nodiscard]] std::vector<MapMemory> shadow_maps(const State& state, std::span<const graph::KeptImage> images);
 
 // What one frame is made from. Everything outlives the frame.
 struct FrameInputs {

@@ -48,10 +48,10 @@ RenderResult Renderer::render(const Job& job) {
   check_device(tools_.device, request.settings);
   const float aspect = static_cast<float>(request.width) / static_cast<float>(request.height);
   const auto matrices = upload::view_matrices(job.camera, aspect);
-  auto tables = upload::make_tables(tools_.device, job.scene, job.moment, matrices.eye);
+  auto tables = upload::make_tables(tools_.device, job.scene, job.snapshot, matrices.eye);
   tables.texture_quality.lod_bias =
       -std::min(0.5f * std::log2(static_cast<float>(request.settings.frame.spp)), kMaxSharpening);
-  const auto view = upload::make_view(tools_.device, tables, job.moment, matrices, {request.width, request.height},
+  const auto view = upload::make_view(tools_.device, tables, job.snapshot, matrices, {request.width, request.height},
                                       static_cast<std::size_t>(request.settings.forward.sorted_triangles));
 
   RenderResult result;
@@ -70,7 +70,8 @@ RenderResult Renderer::render(const Job& job) {
   run_frames(job, inputs, result.report);
   for (const auto& name : request.dumps) result.dumps.push_back(dump_image(tools_.device, executor_, name));
   read_picture(job, result);
-  result.report.shadow_maps = shadow_maps(state_, executor_);
+  executor_.sweep();  // what earlier pictures needed and this one did not
+  result.report.shadow_maps = shadow_maps(state_, executor_.images());
   result.report.device_bytes = tools_.device.memory().peak_bytes();
   result.report.device = tools_.device.info().name;
   return result;
@@ -91,7 +92,7 @@ void Renderer::run_frames(const Job& job, const FrameInputs& inputs, RenderRepor
     FrameInputs frame = inputs;
     frame.first = i == 0;
     frame.sample = frame_sample(i, settings.frame);
-    graph::Graph graph;
+    graph::Graph graph(executor_.history());
     add_frame(graph, frame);
     executor_.run(graph, settings.frame.sync == Sync::paranoid);
     timings.add_frame(executor_.timings());

@@ -2,14 +2,14 @@
 
 #include "frame/constants.hpp"
 #include "frame/frame.hpp"
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 namespace velarium::frame {
 
 // One picture to be made.
 struct Job {
   const upload::GpuScene& scene;
-  const scene::Moment& moment;
+  const scene::SceneSnapshot& snapshot;
   scene::CameraInstance camera;
   const bake::Environment* environment = nullptr;  // null: none
   const RenderRequest& request;

@@ -19,7 +19,7 @@ constexpr std::size_t kBandRows = 48;  // as those of FLIP
 
 // Weighted sums of a neighbourhood's values, by which means, variances and the covariance are known. The square of the
 // difference stands for the product: it makes equal pictures exactly 1, and loses no digits where they nearly are.
-enum Moment { kPicture, kReference, kSquares, kDifferenceSquares, kMoments };
+enum SceneSnapshot { kPicture, kReference, kSquares, kDifferenceSquares, kMoments };
 using Rows = std::array<std::vector<float>, kMoments>;
 
 struct Pair {

@@ -16,7 +16,7 @@
 #include "passes/sun_shadows/read.glsl"
 #include "shading/brdf.glsl"
 #include "shading/environment.glsl"
-#include "shading/sphere_light.glsl"
+#include "shading/area_lights.glsl"
 #include "upload/lights_io.glsl"
 
 // What does not depend on the light.
@@ -87,7 +87,7 @@ float sun_visibility(ShadingPoint p) {
 
 // What of a light would go towards the eye if nothing stood in its way.
 vec3 light_unshadowed(ShadingPoint p, LightSample light) {
-  bool sized = kSphereHighlights && light.sine > 0.0;
+  bool sized = kAreaLights && light.sine > 0.0;
   // The size of a light widens its highlight by half as much, as half vectors turn half as fast.
   float alpha = max(p.alpha, area_lights.min_highlight_alpha - (sized ? 0.5 * light.sine : 0.0));
   vec3 brdf = sized

@@ -27,7 +27,7 @@ struct Illumination {
   clip_volumes::Reading clip_volumes;
   sun_shadows::Reading sun;
   far_shadows::Reading far;
-  sun_shadow_mask::Reading sun_mask;
+  sun_shadow_mask::Reading sun_shadow_mask;
   local_shadows::Reading local;
 };
 
@@ -40,7 +40,7 @@ void each(const Illumination& in, F f) {
   f(in.clip_volumes);
   f(in.sun);
   f(in.far);
-  f(in.sun_mask);
+  f(in.sun_shadow_mask);
   f(in.local);
 }
 

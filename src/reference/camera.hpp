@@ -1,7 +1,7 @@
 #pragma once
 
 #include "reference/geometry.hpp"
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 namespace velarium::reference {
 

@@ -20,22 +20,22 @@ constexpr scene::Sampler kProjectorSampler{.wrap_u = scene::Wrap::clamp_to_edge,
 // Each kind of light that there is gets at least this chance: the estimates behind the rest may be far off.
 constexpr float kLeastChance = 0.1f;
 
-bool casts_shadow(const GpuLight& lamp) {
-  return (lamp.flags & shading::kLightCastsShadow) != 0;
+bool casts_shadow(const GpuLight& light) {
+  return (light.flags & shading::kLightCastsShadow) != 0;
 }
 
-// How far a ray along wi goes before it enters a lamp of some size, or the sun's disc, which is infinitely far. Nothing
-// where it misses.
-std::optional<float> entry_distance(const GpuLight& lamp, const vec3& position, const vec3& wi) {
-  if (shading::is_directional(lamp)) {
-    const vec3 axis(lamp.direction), off = glm::cross(axis, wi);
-    const bool meets = glm::dot(axis, wi) < 0.0f && glm::dot(off, off) < lamp.color.w * lamp.color.w;
+// How far a ray along wi goes before it enters a light of some size, or the sun's disc, which is infinitely far.
+// Nothing where it misses.
+std::optional<float> entry_distance(const GpuLight& light, const vec3& position, const vec3& wi) {
+  if (shading::is_directional(light)) {
+    const vec3 axis(light.direction), off = glm::cross(axis, wi);
+    const bool meets = glm::dot(axis, wi) < 0.0f && glm::dot(off, off) < light.color.w * light.color.w;
     return meets ? std::optional(kInfinity) : std::nullopt;
   }
-  const vec3 to_center = vec3(lamp.position_range) - position;
+  const vec3 to_center = vec3(light.position_range) - position;
   const float along = glm::dot(to_center, wi);
   const vec3 off = to_center - along * wi;
-  const float gap = lamp.color.w * lamp.color.w - glm::dot(off, off);
+  const float gap = light.color.w * light.color.w - glm::dot(off, off);
   if (along <= 0.0f || gap <= 0.0f) return std::nullopt;
   return along - std::sqrt(gap);
 }
@@ -63,13 +63,13 @@ float mean_luminance(const image::FloatImage& image) {
 
 }  // namespace
 
-Lights::Lights(std::vector<GpuLight> lamps, std::span<const scene::Image> projectors,
+Lights::Lights(std::vector<GpuLight> lights, std::span<const scene::Image> projectors,
                std::span<const glm::vec4> clip_records, const image::FloatImage* environment, float rotation_deg,
                float intensity, const std::vector<Object>& objects, const Materials& materials)
-    : lamps_(std::move(lamps)), clip_records_(clip_records), emitters_(objects, materials) {
+    : punctual_(std::move(lights)), clip_records_(clip_records), emitters_(objects, materials) {
   for (const scene::Image& picture : projectors) projectors_.emplace_back(picture, true);
-  for (std::size_t i = 0; i < lamps_.size(); ++i)
-    if (lamps_[i].color.w > 0.0f) spheres_.push_back(i);
+  for (std::size_t i = 0; i < punctual_.size(); ++i)
+    if (punctual_[i].color.w > 0.0f) spheres_.push_back(i);
   if (environment == nullptr) return;
   environment_.emplace(*environment, rotation_deg, intensity);
   environment_irradiance_ = kPi * intensity * mean_luminance(*environment);
@@ -79,49 +79,49 @@ vec3 Lights::environment(const vec3& direction) const {
   return environment_ ? environment_->radiance(direction) : vec3(0.0f);
 }
 
-bool Lights::reaches(const GpuLight& lamp, const Receiver& receiver) const {
-  if (lamp.clip_volume == 0) return true;
-  const auto planes = shading::clip_planes(clip_records_[lamp.clip_volume - 1]);
+bool Lights::reaches(const GpuLight& light, const Receiver& receiver) const {
+  if (light.clip_volume == 0) return true;
+  const auto planes = shading::clip_planes(clip_records_[light.clip_volume - 1]);
   const vec3 point = shading::clip_point(receiver.position_ws, receiver.normal_ws);
   return std::ranges::all_of(clip_records_.subspan(planes.first, planes.count),
                              [&](const glm::vec4& plane) { return shading::before_clip_plane(plane, point); });
 }
 
-shading::LightSample Lights::arriving(const GpuLight& lamp, const vec3& position) const {
-  shading::LightSample at = shading::sample_light(lamp, position);
-  if (lamp.projector_layer == 0) return at;
-  const glm::vec2 uv = shading::projector_uv(lamp, at.wi);
-  const BoundTexture picture{&projectors_[lamp.projector_layer - 1], kProjectorSampler};
+shading::LightSample Lights::arriving(const GpuLight& light, const vec3& position) const {
+  shading::LightSample at = shading::sample_light(light, position);
+  if (light.projector_layer == 0) return at;
+  const glm::vec2 uv = shading::projector_uv(light, at.wi);
+  const BoundTexture picture{&projectors_[light.projector_layer - 1], kProjectorSampler};
   at.irradiance *= shading::in_projector(uv) ? vec3(picture.sample(uv, 0.0f, 0.0f)) : vec3(0.0f);
   return at;
 }
 
-float Lights::weight_of(const GpuLight& lamp, const Receiver& receiver) const {
-  if (!reaches(lamp, receiver)) return 0.0f;
-  const shading::LightSample at = arriving(lamp, receiver.position_ws);
+float Lights::weight_of(const GpuLight& light, const Receiver& receiver) const {
+  if (!reaches(light, receiver)) return 0.0f;
+  const shading::LightSample at = arriving(light, receiver.position_ws);
   const float cosine = std::min(glm::dot(receiver.normal_ws, at.wi) + at.sine, 1.0f);
   return cosine > 0.0f ? shading::luminance(at.irradiance) * cosine : 0.0f;
 }
 
 LightChances Lights::chances(const Receiver& receiver, LightKinds kinds) const {
   LightChances c;
-  for (const GpuLight& lamp : lamps_) c.lamp_total += weight_of(lamp, receiver);
-  c.lamps = c.lamp_total;
+  for (const GpuLight& light : punctual_) c.punctual_total += weight_of(light, receiver);
+  c.punctual = c.punctual_total;
   if (kinds.environment && has_environment()) c.environment = environment_irradiance_;
   if (kinds.emitters && has_emitters()) c.emitters = emitters_.irradiance_at(receiver.position_ws);
-  const float total = c.lamps + c.environment + c.emitters;
+  const float total = c.punctual + c.environment + c.emitters;
   if (!(total > 0.0f)) return {};
   float floored = 0.0f;
-  for (float* chance : {&c.lamps, &c.environment, &c.emitters})
+  for (float* chance : {&c.punctual, &c.environment, &c.emitters})
     if (*chance > 0.0f) floored += * chance = std::max(*chance / total, kLeastChance);
-  for (float* chance : {&c.lamps, &c.environment, &c.emitters}) *chance /= floored;
+  for (float* chance : {&c.punctual, &c.environment, &c.emitters}) *chance /= floored;
   return c;
 }
 
 std::optional<LightSample> Lights::sample(const Receiver& receiver, const LightChances& chances, float u_light,
                                           const glm::vec2& u) const {
-  if (u_light < chances.lamps) return sample_lamp(receiver, chances, u_light / chances.lamps, u);
-  u_light -= chances.lamps;
+  if (u_light < chances.punctual) return sample_punctual(receiver, chances, u_light / chances.punctual, u);
+  u_light -= chances.punctual;
   if (u_light < chances.emitters) return sample_emitter(receiver, chances, u_light / chances.emitters, u);
   if (!(chances.environment > 0.0f)) return std::nullopt;
   const EnvironmentLight::Sample at = environment_->sample(u);
@@ -129,21 +129,21 @@ std::optional<LightSample> Lights::sample(const Receiver& receiver, const LightC
   return LightSample{at.wi, at.radiance / pdf_sr, kInfinity, pdf_sr};
 }
 
-// The lamps' weights are added up a second time rather than kept: most scenes have a handful.
-std::optional<LightSample> Lights::sample_lamp(const Receiver& receiver, const LightChances& chances, float u,
-                                               const glm::vec2& place) const {
+// The lights' weights are added up a second time rather than kept: most scenes have a handful.
+std::optional<LightSample> Lights::sample_punctual(const Receiver& receiver, const LightChances& chances, float u,
+                                                   const glm::vec2& place) const {
   const GpuLight* chosen = nullptr;
   float sum = 0.0f, chosen_weight = 0.0f;
-  for (const GpuLight& lamp : lamps_) {
-    const float weight = weight_of(lamp, receiver);
+  for (const GpuLight& light : punctual_) {
+    const float weight = weight_of(light, receiver);
     if (weight == 0.0f) continue;
-    chosen = &lamp;
+    chosen = &light;
     chosen_weight = weight;
     sum += weight;
-    if (u * chances.lamp_total < sum) break;
+    if (u * chances.punctual_total < sum) break;
   }
   if (chosen == nullptr) return std::nullopt;
-  const float chance = chances.lamps * chosen_weight / chances.lamp_total;
+  const float chance = chances.punctual * chosen_weight / chances.punctual_total;
   const shading::LightSample at = arriving(*chosen, receiver.position_ws);
   const bool directional = shading::is_directional(*chosen), shadowed = casts_shadow(*chosen);
   const float distance = directional ? kInfinity : glm::length(vec3(chosen->position_range) - receiver.position_ws);
@@ -186,17 +186,17 @@ float Lights::pdf_sr_emitter(const LightChances& chances, const Hit& hit, const 
          cosine;
 }
 
-std::optional<Lights::SphereHit> Lights::meet_sphere(const GpuLight& lamp, const Receiver& receiver,
+std::optional<Lights::SphereHit> Lights::meet_sphere(const GpuLight& light, const Receiver& receiver,
                                                      const LightChances& chances, const vec3& wi,
                                                      float distance) const {
-  const std::optional<float> entry = entry_distance(lamp, receiver.position_ws, wi);
+  const std::optional<float> entry = entry_distance(light, receiver.position_ws, wi);
   if (!entry) return std::nullopt;
-  const float near = casts_shadow(lamp) ? *entry : 0.0f;
-  const shading::LightSample at = arriving(lamp, receiver.position_ws);
+  const float near = casts_shadow(light) ? *entry : 0.0f;
+  const shading::LightSample at = arriving(light, receiver.position_ws);
   if (near > distance || at.sine >= 1.0f) return std::nullopt;
-  const float weight = weight_of(lamp, receiver);
+  const float weight = weight_of(light, receiver);
   if (weight == 0.0f) return std::nullopt;
-  const float chance = chances.lamps * weight / chances.lamp_total;
+  const float chance = chances.punctual * weight / chances.punctual_total;
   return SphereHit{sphere_radiance(at.irradiance, at.sine), sphere_pdf_sr(at.sine) * chance, near};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// All light of a scene, as sources to aim at: the scene's lamps, its glowing triangles, and the environment.
+// All light of a scene, as sources to aim at: the scene's lights, its glowing triangles, and the environment.
 
 #include "reference/emitters.hpp"
 #include "reference/environment_light.hpp"
@@ -22,8 +22,8 @@ struct Receiver {
 
 // With which chance each kind of light is aimed at from a receiver; they sum to 1, or are 0 where there is no light.
 struct LightChances {
-  float environment = 0.0f, emitters = 0.0f, lamps = 0.0f;
-  float lamp_total = 0.0f;  // the sum of the weights of all lamps
+  float environment = 0.0f, emitters = 0.0f, punctual = 0.0f;
+  float punctual_total = 0.0f;  // the sum of the weights of all lights
 };
 
 struct LightSample {
@@ -42,10 +42,10 @@ struct LightKinds {
 
 class Lights {
  public:
-  // lamps: relative to the eye. projectors: square sRGB pictures, which GpuLight::projector_layer counts from 1.
+  // lights: relative to the eye. projectors: square sRGB pictures, which GpuLight::projector_layer counts from 1.
   // clip_records: of the volumes that they end at, as shading/clip_volume.glsl reads them.
-  // environment: null where there is none. All but the lamps must outlive this.
-  Lights(std::vector<shading::GpuLight> lamps, std::span<const scene::Image> projectors,
+  // environment: null where there is none. All but the lights must outlive this.
+  Lights(std::vector<shading::GpuLight> lights, std::span<const scene::Image> projectors,
          std::span<const glm::vec4> clip_records, const image::FloatImage* environment, float rotation_deg,
          float intensity, const std::vector<Object>& objects, const Materials& materials);
 
@@ -66,7 +66,7 @@ class Lights {
   [[nodiscard]] float pdf_sr_emitter(const LightChances& chances, const Hit& hit, const SurfacePoint& p,
                                      const glm::vec3& wi) const;
 
-  // Spherical lamps and discs that a ray from the receiver meets before `distance`, and those that nothing hides,
+  // Spherical lights and discs that a ray from the receiver meets before `distance`, and those that nothing hides,
   // however near that is. They hide nothing and are not seen themselves: they are lights only.
   struct SphereHit {
     glm::vec3 radiance;
@@ -76,29 +76,29 @@ class Lights {
   template <class Function>
   void for_each_sphere(const Receiver& receiver, const LightChances& chances, const glm::vec3& wi, float distance,
                        Function function) const {
-    for (const std::size_t lamp : spheres_)
-      if (const auto hit = meet_sphere(lamps_[lamp], receiver, chances, wi, distance)) function(*hit);
+    for (const std::size_t light : spheres_)
+      if (const auto hit = meet_sphere(punctual_[light], receiver, chances, wi, distance)) function(*hit);
   }
 
  private:
-  // Is the receiver in the volume that the lamp ends at?
-  [[nodiscard]] bool reaches(const shading::GpuLight& lamp, const Receiver& receiver) const;
-  // What the lamp sends to a position, its picture included, shadows aside.
-  [[nodiscard]] shading::LightSample arriving(const shading::GpuLight& lamp, const glm::vec3& position) const;
-  // How much of the lamp's light the receiver can use at most. 0 where it can use none.
-  [[nodiscard]] float weight_of(const shading::GpuLight& lamp, const Receiver& receiver) const;
-  [[nodiscard]] std::optional<LightSample> sample_lamp(const Receiver& receiver, const LightChances& chances, float u,
-                                                       const glm::vec2& place) const;
+  // Is the receiver in the volume that the light ends at?
+  [[nodiscard]] bool reaches(const shading::GpuLight& light, const Receiver& receiver) const;
+  // What the light sends to a position, its picture included, shadows aside.
+  [[nodiscard]] shading::LightSample arriving(const shading::GpuLight& light, const glm::vec3& position) const;
+  // How much of the light's light the receiver can use at most. 0 where it can use none.
+  [[nodiscard]] float weight_of(const shading::GpuLight& light, const Receiver& receiver) const;
+  [[nodiscard]] std::optional<LightSample> sample_punctual(const Receiver& receiver, const LightChances& chances,
+                                                           float u, const glm::vec2& place) const;
   [[nodiscard]] std::optional<LightSample> sample_emitter(const Receiver& receiver, const LightChances& chances,
                                                           float u_light, const glm::vec2& u) const;
-  [[nodiscard]] std::optional<SphereHit> meet_sphere(const shading::GpuLight& lamp, const Receiver& receiver,
+  [[nodiscard]] std::optional<SphereHit> meet_sphere(const shading::GpuLight& light, const Receiver& receiver,
                                                      const LightChances& chances, const glm::vec3& wi,
                                                      float distance) const;
 
-  std::vector<shading::GpuLight> lamps_;
+  std::vector<shading::GpuLight> punctual_;
   std::vector<MipChain> projectors_;
   std::span<const glm::vec4> clip_records_;
-  std::vector<std::size_t> spheres_;  // lamps of some size
+  std::vector<std::size_t> spheres_;  // lights of some size
   std::optional<EnvironmentLight> environment_;
   float environment_irradiance_ = 0.0f;  // its mean over all directions
   Emitters emitters_;

@@ -24,14 +24,14 @@ float inverse_scale_of(const glm::mat3& turn) {
   return scale2 > 0.0f ? 1.0f / std::sqrt(scale2) : 0.0f;
 }
 
-Object placed(const scene::Scene& scene, const scene::Moment& moment, const scene::Instance& instance,
+Object placed(const scene::Scene& scene, const scene::SceneSnapshot& snapshot, const scene::Instance& instance,
               const glm::dvec3& eye) {
   const glm::mat4& m = instance.world_from_object;
   const scene::Primitive& primitive = scene.primitives[instance.primitive];
   Object object;
   object.primitive = &primitive;
   object.vertices = instance.deformed == scene::kNone ? &primitive.vertices
-                                                      : &moment.deformed[static_cast<std::size_t>(instance.deformed)];
+                                                      : &snapshot.deformed[static_cast<std::size_t>(instance.deformed)];
   object.turn = glm::mat3(m);
   object.place = glm::vec3(glm::dvec3(m[3]) - eye);
   const glm::mat3 rows = glm::transpose(object.turn);
@@ -71,13 +71,13 @@ std::array<glm::vec3, 3> Object::positions_ws(std::uint32_t triangle) const {
   return {position_ws(a), position_ws(b), position_ws(c)};
 }
 
-std::vector<Object> objects_of(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& eye) {
+std::vector<Object> objects_of(const scene::Scene& scene, const scene::SceneSnapshot& snapshot, const glm::dvec3& eye) {
   std::vector<Object> objects;
   std::map<const scene::VertexFrames*, std::map<const scene::Primitive*, std::uint32_t>> meshes;
   std::uint32_t mesh_count = 0;
-  for (const scene::Instance& instance : moment.instances) {
+  for (const scene::Instance& instance : snapshot.instances) {
     if (scene.primitives[instance.primitive].topology != scene::Topology::triangles) continue;
-    Object object = placed(scene, moment, instance, eye);
+    Object object = placed(scene, snapshot, instance, eye);
     const auto [found, added] = meshes[object.vertices].emplace(object.primitive, mesh_count);
     mesh_count += added ? 1 : 0;
     object.mesh = found->second;

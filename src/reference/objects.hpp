@@ -1,9 +1,9 @@
 #pragma once
 
-// The triangles of a moment as rays meet them. World space has the scene's axes and its origin at the eye, as on the
+// The triangles of a snapshot as rays meet them. World space has the scene's axes and its origin at the eye, as on the
 // device (docs/conventions.md).
 
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -23,7 +23,7 @@ struct Hit {
   float distance = 0.0f;  // along the ray, metres
 };
 
-// One instance of a triangle mesh. Refers to the scene and the moment, which must outlive it.
+// One instance of a triangle mesh. Refers to the scene and the snapshot, which must outlive it.
 struct Object {
   const scene::Primitive* primitive = nullptr;
   const scene::VertexFrames* vertices = nullptr;  // the deformed ones where there are such
@@ -43,8 +43,8 @@ struct Object {
   [[nodiscard]] std::array<glm::vec3, 3> positions_ws(std::uint32_t triangle) const;
 };
 
-// The triangle meshes of the moment relative to `eye`, in the order of its instances; points and lines are left out.
-[[nodiscard]] std::vector<Object> objects_of(const scene::Scene& scene, const scene::Moment& moment,
+// The triangle meshes of the snapshot relative to `eye`, in the order of its instances; points and lines are left out.
+[[nodiscard]] std::vector<Object> objects_of(const scene::Scene& scene, const scene::SceneSnapshot& snapshot,
                                              const glm::dvec3& eye);
 
 // What is interpolated at a hit, as the rasteriser hands it to the material.

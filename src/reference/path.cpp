@@ -145,8 +145,8 @@ void PathTracer::follow(Path& path) const {
     if (vertex.look.unlit || path.reflections == transport_.reflections) return;
     const Draws draws(path.sequence);
     path.receiver = {vertex.point.position_ws, vertex.look.surface.normal_ws};
-    path.chances =
-        world_.lights.chances(path.receiver, {.environment = transport_.environment, .emitters = transport_.glow});
+    path.chances = world_.lights.chances(
+        path.receiver, {.environment = transport_.environment, .emitters = transport_.emissive_lighting});
     add_light(path, vertex, draws);
     if (!reflect(path, vertex, draws)) return;
   }
@@ -196,7 +196,7 @@ void PathTracer::add_emission(Path& path, const Hit& hit, const Vertex& vertex) 
   if (emission == vec3(0.0f)) return;
   if (path.reflections == 0) return path.add(emission, 0, transport_.clamp);
   // Without shadows the ray may have missed what hides behind others: aiming alone finds it all.
-  if (!transport_.glow || !transport_.shadows) return;
+  if (!transport_.emissive_lighting || !transport_.shadows) return;
   const float other = world_.lights.pdf_sr_emitter(path.chances, hit, vertex.point, path.ray.direction);
   path.add(balance(path.pdf_sr, other) * emission, path.reflections, transport_.clamp);
 }
@@ -218,7 +218,7 @@ void PathTracer::add_light(Path& path, const Vertex& vertex, const Draws& draws)
   path.add(reflected, path.reflections + 1, transport_.clamp);
 }
 
-// What multiplies light on its way from the lamp.
+// What multiplies light on its way from the light.
 vec3 PathTracer::arriving(const Path& path, const Vertex& vertex, const LightSample& light) const {
   if (!transport_.shadows || !light.shadowed) return vec3(1.0f);
   if (glm::dot(light.wi, vertex.outside) <= 0.0f) return vec3(0.0f);

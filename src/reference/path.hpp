@@ -18,7 +18,7 @@ namespace velarium::reference {
 struct Transport {
   std::uint32_t reflections = 33;  // at most, along a path; at least 1
   bool environment = true;         // lights surfaces
-  bool glow = true;                // surfaces that glow light others
+  bool emissive_lighting = true;   // surfaces that glow light others
   bool shadows = true;
   float clamp = 0.0f;  // largest radiance that a path brings by two and more reflections; 0: any
   float min_highlight_alpha = shading::kMinAlphaPunctual;  // that points are reflected with

@@ -31,7 +31,7 @@ Transport transport_of(const Job& job) {
       break;
   }
   t.environment = s.reference.transport != velarium::Transport::direct;
-  t.glow = s.reference.glow;
+  t.emissive_lighting = s.reference.emissive_lighting;
   t.shadows = s.reference.shadows;
   t.clamp = s.reference.clamp;
   t.min_highlight_alpha = s.lighting.min_highlight_alpha;
@@ -45,7 +45,7 @@ Transport transport_of(const Job& job) {
 
 std::uint64_t skipped_primitives(const Job& job) {
   return static_cast<std::uint64_t>(
-      std::count_if(job.moment.instances.begin(), job.moment.instances.end(),
+      std::count_if(job.snapshot.instances.begin(), job.snapshot.instances.end(),
                     [&](auto& i) { return job.scene.primitives[i.primitive].topology != scene::Topology::triangles; }));
 }
 
@@ -63,10 +63,10 @@ void note_scene(const Job& job, const std::vector<Object>& objects, const Lights
 Result trace(const Job& job) {
   const auto& s = job.settings;
   const glm::dvec3 eye(job.camera.world_from_view[3]);
-  const std::vector<Object> objects = objects_of(job.scene, job.moment, eye);
+  const std::vector<Object> objects = objects_of(job.scene, job.snapshot, eye);
   const Materials materials(job.scene);
   const Geometry geometry(objects, materials);
-  const Lights lights(job.lamps, job.projectors, job.clip_records, job.environment, s.environment.rotation,
+  const Lights lights(job.lights, job.projectors, job.clip_records, job.environment, s.environment.rotation,
                       s.environment.intensity, objects, materials);
   const Camera camera(job.camera, job.width, job.height);
   const EnergyTable energy(job.energy, job.energy_size);

@@ -4,7 +4,7 @@
 
 #include "image/image.hpp"
 #include "reference/film.hpp"
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include "shading/host.hpp"
 
@@ -25,9 +25,9 @@ struct Progress {
 // One picture to be made. What it refers to must outlive the call.
 struct Job {
   const scene::Scene& scene;
-  const scene::Moment& moment;
+  const scene::SceneSnapshot& snapshot;
   scene::CameraInstance camera;
-  std::vector<shading::GpuLight> lamps;            // relative to the eye
+  std::vector<shading::GpuLight> lights;           // relative to the eye
   std::span<const glm::vec4> clip_records;         // upload::ClipVolumeTable, of the volumes that they end at
   std::span<const scene::Image> projectors;        // squares that GpuLight::projector_layer counts from 1; sRGB
   const image::FloatImage* environment = nullptr;  // null: none

@@ -3,7 +3,7 @@
 #include <velarium/error.hpp>
 
 #include "core/assert.hpp"
-#include "scene/moment_choice.hpp"
+#include "scene/choice.hpp"
 
 #include <glm/gtc/quaternion.hpp>
 

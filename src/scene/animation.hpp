@@ -22,7 +22,7 @@ struct Pose {
   std::vector<float> weights;  // of morph targets; empty where the node draws no mesh
 };
 
-// One pose a node. `animation` as for moment_at, with the same errors.
+// One pose a node. `animation` as for snapshot_at, with the same errors.
 [[nodiscard]] std::vector<Pose> poses_at(const Scene& scene, float time_s, const std::string& animation);
 
 }  // namespace velarium::scene

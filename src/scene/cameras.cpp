@@ -1,9 +1,9 @@
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include <velarium/error.hpp>
 
 #include "core/assert.hpp"
-#include "scene/moment_choice.hpp"
+#include "scene/choice.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -170,14 +170,14 @@ CameraInstance fitted_camera(const Aabb& bounds, float aspect) {
   return placed(eye, world_from_view, kFittedFov, z_near, "auto");
 }
 
-CameraInstance choose_camera(const Moment& moment, const std::string& choice, float aspect) {
-  if (choice == "auto" || (choice.empty() && moment.cameras.empty())) return fitted_camera(moment.bounds, aspect);
-  if (choice.empty()) return moment.cameras.front();
+CameraInstance choose_camera(const SceneSnapshot& snapshot, const std::string& choice, float aspect) {
+  if (choice == "auto" || (choice.empty() && snapshot.cameras.empty())) return fitted_camera(snapshot.bounds, aspect);
+  if (choice.empty()) return snapshot.cameras.front();
   std::vector<std::string> names;
-  for (const CameraInstance& instance : moment.cameras) names.push_back(instance.camera.name);
+  for (const CameraInstance& instance : snapshot.cameras) names.push_back(instance.camera.name);
   const auto found = find_choice(names, choice);
   if (!found) throw Error(ErrorCode::usage, unknown_choice("camera", names, choice, "auto"));
-  return moment.cameras[*found];
+  return snapshot.cameras[*found];
 }
 
 glm::mat4 clip_from_view(const Camera& camera, float aspect) {

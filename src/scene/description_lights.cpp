@@ -59,7 +59,7 @@ void set_projector(const Place& at, const LightDescription& from, const Scene& s
   projector.soft_edge = from.projected_soft_edge;
 }
 
-// What belongs to lamps, and what to suns.
+// What belongs to lights, and what to suns.
 void set_size(const Place& at, const LightDescription& from, Light& light) {
   at.not_negative("range_m", from.range_m);
   at.not_negative("radius_m", from.radius_m);
@@ -73,7 +73,7 @@ void set_size(const Place& at, const LightDescription& from, Light& light) {
     light.angular_radius = glm::radians(from.angular_radius_deg);
     return;
   }
-  if (from.angular_radius_deg > 0.0f) at.fail("angular_radius_deg", "belongs to a lamp, which has a radius_m");
+  if (from.angular_radius_deg > 0.0f) at.fail("angular_radius_deg", "belongs to a light, which has a radius_m");
   light.range = from.range_m;
   light.radius = from.radius_m;
   if (from.falloff != LightFalloff::bulb) return;

@@ -1,6 +1,6 @@
 #include "scene/description_parts.hpp"
 #include "scene/description_place.hpp"
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include <velarium/error.hpp>
 

@@ -15,7 +15,7 @@ constexpr std::array kVectorFormats = {Format{Type::vec3, Component::f32}};
 constexpr std::array kRotationFormats = {Format{Type::vec4, Component::f32}, Format{Type::vec4, Component::i8, true},
                                          Format{Type::vec4, Component::i16, true}};
 
-// What an instance takes, in elements of 16 bytes: its placement, and per primitive what moment_at() makes of it.
+// What an instance takes, in elements of 16 bytes: its placement, and per primitive what snapshot_at() makes of it.
 constexpr std::uint64_t kElementsAPlacement = 3, kElementsAnInstance = 8;
 
 // Columns of one length, which the first that is there decides.

@@ -1,7 +1,7 @@
 // KHR_materials_variants: the names of the variants, and the material that each primitive has in the chosen one.
 
 #include "scene/gltf_parts.hpp"
-#include "scene/moment_choice.hpp"
+#include "scene/choice.hpp"
 
 #include <velarium/error.hpp>
 

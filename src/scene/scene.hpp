@@ -166,7 +166,7 @@ struct Camera {
 
 enum class LightKind : std::uint8_t { directional, point, spot };
 
-// How a lamp's light falls off with distance. Both are the irradiance of a sphere exactly; they differ in their unit.
+// How a light's light falls off with distance. Both are the irradiance of a sphere exactly; they differ in their unit.
 enum class Falloff : std::uint8_t {
   inverse_square,  // intensity in candela; KHR_lights_punctual's window at `range`
   bulb,            // intensity in lux at 1 m from the bulb's surface; fades over the last fifth of `range`

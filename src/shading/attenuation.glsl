@@ -4,7 +4,7 @@
 
 #include "shading/lang.glsl"
 
-// Nearer than this a punctual light is as bright as here: real lamps are no points, and the result must stay finite.
+// Nearer than this a punctual light is as bright as here: real lights are no points, and the result must stay finite.
 const float kMinLightDistance = 1e-3f;
 
 // 1 / d^2 with the window that KHR_lights_punctual recommends: 0 at `range` and beyond. range 0: no end. Per m^2.

@@ -21,17 +21,17 @@ const float kContactFade = 0.25f;
 // Shadows fade over this share of the picture's width before its edges, as nothing is known beyond.
 const float kContactBorder = 0.02f;
 
-// Only the lamp that gives more than half of a pixel's light throws a contact shadow there: there can be but one, whatever
+// Only the light that gives more than half of a pixel's light throws a contact shadow there: there can be but one, whatever
 // their number, and shadows of weaker ones are faint. They come in from that share on, to be whole at this one: so none
-// begins or ends at a line where two lamps are equally bright.
+// begins or ends at a line where two lights are equally bright.
 const float kContactWholeShare = 0.75f;
 
-// Bits of a key that name a lamp: kMaxLights of upload/gpu_structs.glsl.
+// Bits of a key that name a light: kMaxLights of upload/gpu_structs.glsl.
 const uint kStrengthIndexBits = 14u;
 // Luminance of keys: within what floats can tell from 0 and from infinity.
 const float kLeastStrength = 1e-30f, kMostStrength = 1e30f;
 
-// A lamp and how much it adds to a pixel, in one number whose order is that of what is added, to one part in 500: so the largest can
+// A light and how much it adds to a pixel, in one number whose order is that of what is added, to one part in 500: so the largest can
 // be found in any order, also by blending. 0: it adds nothing.
 FN float dominant_light_key(float luminance, uint index) {
   require(index < 1u << kStrengthIndexBits);
@@ -40,14 +40,14 @@ FN float dominant_light_key(float luminance, uint index) {
   return uintBitsToFloat(strength | index);
 }
 
-// The lamp of a key.
+// The light of a key.
 FN uint light_of_key(float key) {
   return floatBitsToUint(key) & ((1u << kStrengthIndexBits) - 1u);
 }
 
-// How much of its contact shadow a lamp throws which adds `lamp` to a pixel of `all`, luminances.
-FN float contact_weight(float lamp, float all) {
-  return clamp((lamp - 0.5f * all) / ((kContactWholeShare - 0.5f) * max(all, kLeastStrength)), 0.0f, 1.0f);
+// How much of its contact shadow a light throws which adds `light` to a pixel of `all`, luminances.
+FN float contact_weight(float light, float all) {
+  return clamp((light - 0.5f * all) / ((kContactWholeShare - 0.5f) * max(all, kLeastStrength)), 0.0f, 1.0f);
 }
 
 // Height of a pixel at a view depth, metres. ndc_to_view, perspective: as view_position(); height: of the picture, pixels.

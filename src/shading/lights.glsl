@@ -18,7 +18,7 @@ const uint kLightCastsShadow = 1u;  // GpuLight::flags
 // The radius of a light without an end: beyond every scene, yet its square is finite in fp32.
 const float kUnboundedRadius = 1e18f;
 
-// A lamp: KHR_lights_punctual, and what the scene's extras add.
+// A light: KHR_lights_punctual, and what the scene's extras add.
 struct GpuLight {
   vec4 position_range;  // xyz: world space, metres; w: range in metres, 0 without end
   vec4 direction;       // xyz: unit, where the light shines to (directional, spot); w: kLightDirectional, ...
@@ -61,7 +61,7 @@ FN LightSample sample_directional(IN(GpuLight) l) {
   return result;
 }
 
-FN float lamp_attenuation(IN(GpuLight) l, float distance) {
+FN float punctual_attenuation(IN(GpuLight) l, float distance) {
   if (l.cone.w > 0.5f * kFalloffBulb) return bulb_attenuation(distance, l.color.w, l.position_range.w);
   return range_attenuation(distance, l.position_range.w);
 }
@@ -72,7 +72,7 @@ FN LightSample sample_point(IN(GpuLight) l, vec3 position) {
   LightSample result;
   // At the light itself every direction is as good.
   result.wi = distance > 0.0f ? to_light / distance : vec3(0.0f, 1.0f, 0.0f);
-  result.irradiance = vec3(l.color.x, l.color.y, l.color.z) * lamp_attenuation(l, distance);
+  result.irradiance = vec3(l.color.x, l.color.y, l.color.z) * punctual_attenuation(l, distance);
   result.sine = min(l.color.w / max(distance, kMinLightDistance), 1.0f);
   return result;
 }

@@ -43,7 +43,7 @@ FN float search_tap_radius(uint i, uint n, float inner, float outer) {
   return inner + (outer - inner) * ((i & 1u) == 0u ? sqrt(x) : x * x);
 }
 
-// The same for lamps, whose nearest casters may throw penumbrae far wider than the usual ones: where `widest` is larger than
+// The same for lights, whose nearest casters may throw penumbrae far wider than the usual ones: where `widest` is larger than
 // `usual`, every other tap goes on from the rim of the usual disc to the widest one, evenly by radius. 0 < usual <= widest.
 FN float wide_search_tap_radius(uint i, uint n, float usual, float widest) {
   require(i < n && usual <= widest);

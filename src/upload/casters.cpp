@@ -40,7 +40,7 @@ CasterKind kind_of(scene::AlphaMode mode) {
 }
 
 bool is_chosen(const Caster& caster, CasterChoice choice) {
-  return choice == CasterChoice::all || !caster.moves;
+  return choice == CasterChoice::all || !caster.dynamic;
 }
 
 auto state_of(const Draw& draw) {
@@ -87,10 +87,10 @@ struct Binder {
 
 }  // namespace
 
-CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& origin) {
-  const auto moving = scene::moving_nodes(scene);
+CasterTable make_casters(const scene::Scene& scene, const scene::SceneSnapshot& snapshot, const glm::dvec3& origin) {
+  const auto dynamic = scene::dynamic_nodes(scene);
   std::vector<std::pair<Caster, const scene::Instance*>> sorted;
-  for (const auto& instance : moment.instances) {
+  for (const auto& instance : snapshot.instances) {
     const auto& primitive = scene.primitives[instance.primitive];
     if (instance.bounds.empty() || primitive.topology != scene::Topology::triangles) continue;
     const auto& material = material_or_default(scene, primitive.material);
@@ -100,9 +100,9 @@ CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment,
                         .material = material_index(scene, primitive.material),
                         .mirrored = instance.mirrored},
                        kind_of(material.alpha_mode),
-                       instance.deformed != scene::kNone || moving[instance.node],
+                       instance.deformed != scene::kNone || dynamic[instance.node],
                        primitive.indices,
-                       positions_of(scene, moment, instance)},
+                       positions_of(scene, snapshot, instance)},
                       &instance});
   }
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
@@ -121,8 +121,8 @@ bool has_translucent(const CasterTable& table) {
   return !table.casters.empty() && table.casters.back().kind == CasterKind::translucent;
 }
 
-bool has_still(const CasterTable& table) {
-  return std::any_of(table.casters.begin(), table.casters.end(), [](const Caster& caster) { return !caster.moves; });
+bool has_static(const CasterTable& table) {
+  return std::any_of(table.casters.begin(), table.casters.end(), [](const Caster& caster) { return !caster.dynamic; });
 }
 
 scene::Aabb bounds_of(const CasterTable& table, CasterChoice choice) {

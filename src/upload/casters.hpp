@@ -18,22 +18,22 @@ struct Caster {
   scene::Aabb bounds;  // world space
   Draw draw;           // of this instance alone
   CasterKind kind = CasterKind::opaque;
-  bool moves = false;                      // may it stand or look otherwise at another time?
+  bool dynamic = false;                    // may it stand or look otherwise at another time?
   std::span<const std::uint32_t> indices;  // of its triangles, and
-  std::span<const glm::vec3> positions;    // object space; owned by the scene or the moment
+  std::span<const glm::vec3> positions;    // object space; owned by the scene or the snapshot
 };
 
-enum class CasterChoice : std::uint8_t { all, still };  // still: those that never move
+enum class CasterChoice : std::uint8_t { all, static_only };  // static: that never move
 
-// All triangles of a moment, wherever the camera looks. Instances of one state stand beside each other, so that those
+// All triangles of a snapshot, wherever the camera looks. Instances of one state stand beside each other, so that those
 // that a map sees are few draws.
 struct CasterTable {
   std::vector<Caster> casters;      // by gl_InstanceIndex: opaque ones, then cutouts, then translucent ones
   std::vector<ObjectData> objects;  // the same order; relative to the origin
 };
 
-// The scene and the moment must outlive the table.
-[[nodiscard]] CasterTable make_casters(const scene::Scene& scene, const scene::Moment& moment,
+// The scene and the snapshot must outlive the table.
+[[nodiscard]] CasterTable make_casters(const scene::Scene& scene, const scene::SceneSnapshot& snapshot,
                                        const glm::dvec3& origin);
 
 // World space; empty where there are none.
@@ -45,7 +45,7 @@ struct CasterTable {
                                                 CasterChoice choice = CasterChoice::all);
 
 [[nodiscard]] bool has_translucent(const CasterTable& table);
-[[nodiscard]] bool has_still(const CasterTable& table);
+[[nodiscard]] bool has_static(const CasterTable& table);
 
 // How casters are drawn.
 struct CasterView {

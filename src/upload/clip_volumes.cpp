@@ -50,13 +50,14 @@ glm::vec4 relative_sphere(const scene::Aabb& bounds, const glm::dmat4& origin_fr
 
 }  // namespace
 
-ClipVolumeTable make_clip_volumes(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& origin) {
+ClipVolumeTable make_clip_volumes(const scene::Scene& scene, const scene::SceneSnapshot& snapshot,
+                                  const glm::dvec3& origin) {
   ClipVolumeTable table;
   const std::size_t count = scene.clip_volumes.size();
   table.records.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     const scene::ClipVolume& volume = scene.clip_volumes[i];
-    glm::dmat4 origin_from_object(moment.world_from_clip_volume[i]);
+    glm::dmat4 origin_from_object(snapshot.world_from_clip_volume[i]);
     origin_from_object[3] -= glm::dvec4(origin, 0.0);
     const auto first = static_cast<float>(table.records.size());
     for (const glm::vec4& plane : volume.planes) table.records.push_back(relative_plane(plane, origin_from_object));

@@ -2,7 +2,7 @@
 
 // Volumes that lights end at, as shaders and the path tracer read them.
 
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 #include "upload/gpu_structs.hpp"
 
 #include <vector>
@@ -16,7 +16,7 @@ struct ClipVolumeTable {
   std::vector<glm::vec4> spheres;  // around each volume: xyz centre, w radius
 };
 
-[[nodiscard]] ClipVolumeTable make_clip_volumes(const scene::Scene& scene, const scene::Moment& moment,
+[[nodiscard]] ClipVolumeTable make_clip_volumes(const scene::Scene& scene, const scene::SceneSnapshot& snapshot,
                                                 const glm::dvec3& origin);
 
 [[nodiscard]] bool any_clipped(const std::vector<GpuLight>& lights);

@@ -17,7 +17,8 @@ void set_facing(VkCommandBuffer commands, const Draw& draw, VkCullModeFlags cull
 // The cull mode that a material asks for: none where it is double-sided, else back faces.
 [[nodiscard]] VkCullModeFlags cull_mode(const scene::Material& material);
 
-// Binds the vertex streams that a draw reads, the scene's or the deformed ones of the moment, and the scene's indices.
+// Binds the vertex streams that a draw reads, the scene's or the deformed ones of the snapshot, and the scene's
+// indices.
 void bind_vertices(VkCommandBuffer commands, const Tables& tables, bool deformed);
 
 void draw(VkCommandBuffer commands, const Tables& tables, const Draw& draw);

@@ -53,15 +53,16 @@ std::size_t choose_sorted(const scene::Scene& scene, std::vector<Candidate>& ble
   return used;
 }
 
-std::vector<std::uint32_t> sort_triangles(const scene::Scene& scene, const scene::Moment& moment, const Viewpoint& view,
-                                          const std::vector<Candidate>& blended, std::size_t index_count) {
+std::vector<std::uint32_t> sort_triangles(const scene::Scene& scene, const scene::SceneSnapshot& snapshot,
+                                          const Viewpoint& view, const std::vector<Candidate>& blended,
+                                          std::size_t index_count) {
   std::vector<std::uint32_t> all(index_count);
   parallel_for(blended.size(), [&](std::size_t i) {
     if (blended[i].first_sorted == scene::kNone) return;
     const auto& instance = *blended[i].instance;
     const auto& primitive = scene.primitives[instance.primitive];
-    const auto sorted =
-        far_to_near(primitive.indices, scene::positions_of(scene, moment, instance), instance.world_from_object, view);
+    const auto sorted = far_to_near(primitive.indices, scene::positions_of(scene, snapshot, instance),
+                                    instance.world_from_object, view);
     std::copy(sorted.begin(), sorted.end(), all.begin() + blended[i].first_sorted);
   });
   return all;
@@ -111,10 +112,10 @@ bool overlaps(std::span<const glm::dvec4> planes, const scene::Aabb& box) {
   return true;
 }
 
-DrawList make_draw_list(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& origin,
+DrawList make_draw_list(const scene::Scene& scene, const scene::SceneSnapshot& snapshot, const glm::dvec3& origin,
                         const Frustum& frustum, const Viewpoint& view, std::size_t sorted_triangles) {
   std::vector<Candidate> opaque, blended;
-  for (const auto& instance : moment.instances) {
+  for (const auto& instance : snapshot.instances) {
     if (instance.bounds.empty() || !overlaps(frustum, instance.bounds)) continue;
     const std::int32_t material = scene.primitives[instance.primitive].material;
     const glm::dvec3 center = 0.5 * (glm::dvec3(instance.bounds.min) + glm::dvec3(instance.bounds.max)) - view.eye;
@@ -130,7 +131,7 @@ DrawList make_draw_list(const scene::Scene& scene, const scene::Moment& moment, 
                    [](const Candidate& a, const Candidate& b) { return a.farness > b.farness; });
   DrawList list;
   const std::size_t sorted_count = choose_sorted(scene, blended, sorted_triangles);
-  list.sorted_indices = sort_triangles(scene, moment, view, blended, sorted_count);
+  list.sorted_indices = sort_triangles(scene, snapshot, view, blended, sorted_count);
   add_draws(opaque, origin, list.objects, list.opaque);
   add_draws(blended, origin, list.objects, list.blended);
   return list;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 #include "upload/gpu_structs.hpp"
 #include "upload/triangle_order.hpp"
 
@@ -21,7 +21,7 @@ struct Draw {
       scene::kNone;  // into DrawList::sorted_indices, of all of the primitive's; kNone: unsorted
 };
 
-// What a camera sees of a moment, ready to be drawn.
+// What a camera sees of a snapshot, ready to be drawn.
 struct DrawList {
   std::vector<ObjectData> objects;            // by gl_InstanceIndex
   std::vector<Draw> opaque;                   // OPAQUE and MASK: by state, then near to far
@@ -43,7 +43,8 @@ using Frustum = std::array<glm::dvec4, 5>;  // left, right, lower, upper, near
 
 // Drops what is outside the frustum, sorts, joins neighbours that differ in their matrix alone, and makes matrices
 // relative to `origin`. Of blended surfaces up to `sorted_triangles` are sorted one by one, the nearest objects first.
-[[nodiscard]] DrawList make_draw_list(const scene::Scene& scene, const scene::Moment& moment, const glm::dvec3& origin,
-                                      const Frustum& frustum, const Viewpoint& view, std::size_t sorted_triangles);
+[[nodiscard]] DrawList make_draw_list(const scene::Scene& scene, const scene::SceneSnapshot& snapshot,
+                                      const glm::dvec3& origin, const Frustum& frustum, const Viewpoint& view,
+                                      std::size_t sorted_triangles);
 
 }  // namespace velarium::upload

@@ -72,16 +72,16 @@ void GpuScene::upload_geometry() {
   indices_ = make_buffer(device_, indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
 }
 
-DeformedVertices make_deformed(gpu::Device& device, const scene::Scene& scene, const scene::Moment& moment) {
-  DeformedVertices deformed{.first = std::vector<std::int32_t>(moment.deformed.size())};
-  if (moment.deformed.empty()) return deformed;
+DeformedVertices make_deformed(gpu::Device& device, const scene::Scene& scene, const scene::SceneSnapshot& snapshot) {
+  DeformedVertices deformed{.first = std::vector<std::int32_t>(snapshot.deformed.size())};
+  if (snapshot.deformed.empty()) return deformed;
   PackedStreams streams;
-  for (std::size_t i = 0; i < moment.deformed.size(); ++i)
-    deformed.first[i] = streams.reserve(moment.deformed[i].positions.size());
-  for (const auto& instance : moment.instances) {
+  for (std::size_t i = 0; i < snapshot.deformed.size(); ++i)
+    deformed.first[i] = streams.reserve(snapshot.deformed[i].positions.size());
+  for (const auto& instance : snapshot.instances) {
     if (instance.deformed == scene::kNone) continue;
     const auto i = static_cast<std::size_t>(instance.deformed);
-    streams.fill(deformed.first[i], scene, scene.primitives[instance.primitive], moment.deformed[i]);
+    streams.fill(deformed.first[i], scene, scene.primitives[instance.primitive], snapshot.deformed[i]);
   }
   deformed.vertices = streams.upload(device);
   return deformed;

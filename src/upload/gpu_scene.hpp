@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/gpu_context.hpp"
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 #include "upload/draws.hpp"
 #include "upload/projectors.hpp"
 #include "upload/textures.hpp"
@@ -17,14 +17,14 @@ struct VertexStreams {
   gpu::Buffer positions, attributes;
 };
 
-// Those that skins and morph targets of a moment have moved.
+// Those that skins and morph targets of a snapshot have moved.
 struct DeformedVertices {
   VertexStreams vertices;
-  std::vector<std::int32_t> first;  // by index into Moment::deformed
+  std::vector<std::int32_t> first;  // by index into SceneSnapshot::deformed
 };
 
 [[nodiscard]] DeformedVertices make_deformed(gpu::Device& device, const scene::Scene& scene,
-                                             const scene::Moment& moment);
+                                             const scene::SceneSnapshot& snapshot);
 
 // The parts of a scene that do not change with time or camera, on the device.
 // The scene tables must outlive it.

@@ -93,7 +93,7 @@ LightRanges light_ranges(const std::vector<GpuLight>& lights) {
           .sun = sun_of(lights)};
 }
 
-bool any_sized(const std::vector<GpuLight>& lights) {
+bool any_area_light(const std::vector<GpuLight>& lights) {
   return std::ranges::any_of(lights, [](const GpuLight& light) { return light.color.w > 0.0f; });
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 #include "upload/gpu_structs.hpp"
 
 #include <span>
@@ -16,7 +16,7 @@ namespace velarium::upload {
 [[nodiscard]] LightRanges light_ranges(const std::vector<GpuLight>& lights);
 
 // Has any a radius or a disc?
-[[nodiscard]] bool any_sized(const std::vector<GpuLight>& lights);
+[[nodiscard]] bool any_area_light(const std::vector<GpuLight>& lights);
 // Does any throw a picture?
 [[nodiscard]] bool any_projector(const std::vector<GpuLight>& lights);
 

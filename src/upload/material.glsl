@@ -2,7 +2,7 @@
 #ifndef VEL_UPLOAD_MATERIAL_GLSL
 #define VEL_UPLOAD_MATERIAL_GLSL
 
-#include "shading/normal_variance.glsl"
+#include "shading/specular_aa.glsl"
 #include "shading/surface.glsl"
 #include "upload/material_io.glsl"
 

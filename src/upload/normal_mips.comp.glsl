@@ -3,7 +3,7 @@
 
 // One level of a normal map: src/upload/normal_mips.hpp. Means go from level to level as 32-bit floats.
 
-#include "shading/normal_variance.glsl"
+#include "shading/specular_aa.glsl"
 #include "upload/normal_mips_io.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -2,7 +2,7 @@
 
 // Mips of normal maps. A texel of a smaller level stands for all the texels of level 0 below it: rgb is the direction
 // of the mean of their unit normals, and alpha is how far they, interpolated as filters do, spread about it:
-// interpolated_mean_length() of four and spread_from_mean_length(), in shading/normal_variance.glsl. Level 0 has no
+// interpolated_mean_length() of four and spread_from_mean_length(), in shading/specular_aa.glsl. Level 0 has no
 // spread. All is computed from level 0 in 32-bit floats: lengths of 8-bit normals are off by 0.3 %, which would read as
 // a spread of 0.08.
 

@@ -26,17 +26,18 @@ bool casts_shadow(const GpuLight& light) {
 
 }  // namespace
 
-Tables make_tables(gpu::Device& device, const GpuScene& scene, const scene::Moment& moment, const glm::dvec3& origin) {
-  Tables tables{.gpu = &scene, .origin = origin, .deformed = make_deformed(device, scene.scene(), moment)};
-  tables.lights = gpu_lights(shining(moment.lights), origin, scene.projectors().pictures);
+Tables make_tables(gpu::Device& device, const GpuScene& scene, const scene::SceneSnapshot& snapshot,
+                   const glm::dvec3& origin) {
+  Tables tables{.gpu = &scene, .origin = origin, .deformed = make_deformed(device, scene.scene(), snapshot)};
+  tables.lights = gpu_lights(shining(snapshot.lights), origin, scene.projectors().pictures);
   if (tables.lights.size() > kMaxLights)
     throw Error(ErrorCode::unsupported, scene.scene().source,
                 fmt::format("{} lights shine; a picture takes {} at most", tables.lights.size(), kMaxLights));
   tables.light_ranges = light_ranges(tables.lights);
-  if (std::ranges::any_of(tables.lights, casts_shadow)) tables.casters = make_casters(scene.scene(), moment, origin);
+  if (std::ranges::any_of(tables.lights, casts_shadow)) tables.casters = make_casters(scene.scene(), snapshot, origin);
   tables.caster_objects = make_buffer(device, tables.casters.objects, kStorage);
   if (any_clipped(tables.lights)) {
-    tables.clip_volumes = make_clip_volumes(scene.scene(), moment, origin);
+    tables.clip_volumes = make_clip_volumes(scene.scene(), snapshot, origin);
     tables.clip_volume_buffer = make_buffer(device, tables.clip_volumes.records, kStorage);
   }
   tables.light_buffer = make_buffer(device, tables.lights, kStorage);

@@ -7,7 +7,7 @@
 
 namespace velarium::upload {
 
-// What a moment looks like from anywhere, on the device: the parts that all views of a picture share.
+// What a snapshot looks like from anywhere, on the device: the parts that all views of a picture share.
 struct Tables {
   const GpuScene* gpu = nullptr;
   glm::dvec3 origin{0.0};  // world space of the scene, metres: where the device's world space has its origin
@@ -24,7 +24,7 @@ struct Tables {
 
 // Lights that shine on nothing (no intensity) are left out. origin: the main eye, so that what stands near to it keeps
 // its digits. Throws Error(unsupported) for more than kMaxLights lights.
-[[nodiscard]] Tables make_tables(gpu::Device& device, const GpuScene& scene, const scene::Moment& moment,
+[[nodiscard]] Tables make_tables(gpu::Device& device, const GpuScene& scene, const scene::SceneSnapshot& snapshot,
                                  const glm::dvec3& origin);
 
 }  // namespace velarium::upload

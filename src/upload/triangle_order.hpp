@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include <span>
 #include <vector>

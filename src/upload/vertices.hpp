@@ -2,7 +2,7 @@
 
 #include "gpu/buffer.hpp"
 #include "gpu/pipeline.hpp"
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include <array>
 #include <vector>

@@ -52,10 +52,10 @@ glm::dvec3 eye_from_origin(const Tables& tables, const ViewMatrices& view) {
   return view.eye - tables.origin;
 }
 
-View make_view(gpu::Device& device, const Tables& tables, const scene::Moment& moment, const ViewMatrices& matrices,
-               glm::uvec2 size, std::size_t sorted_triangles) {
+View make_view(gpu::Device& device, const Tables& tables, const scene::SceneSnapshot& snapshot,
+               const ViewMatrices& matrices, glm::uvec2 size, std::size_t sorted_triangles) {
   View view{.matrices = matrices, .size = size};
-  view.draws = make_draw_list(tables.gpu->scene(), moment, tables.origin, frustum_of(clip_from_world(matrices)),
+  view.draws = make_draw_list(tables.gpu->scene(), snapshot, tables.origin, frustum_of(clip_from_world(matrices)),
                               viewpoint(matrices), sorted_triangles);
   view.objects = make_buffer(device, view.draws.objects, kStorage);
   if (!view.draws.sorted_indices.empty())

@@ -14,7 +14,7 @@ struct ViewMatrices {
 
 [[nodiscard]] ViewMatrices view_matrices(const scene::CameraInstance& camera, float aspect);
 
-// What one eye sees of the tables of a moment, on the device. Any number of views may share tables.
+// What one eye sees of the tables of a snapshot, on the device. Any number of views may share tables.
 struct View {
   ViewMatrices matrices;
   glm::uvec2 size{1};  // pixels
@@ -26,7 +26,7 @@ struct View {
 };
 
 // `sorted_triangles`: make_draw_list.
-[[nodiscard]] View make_view(gpu::Device& device, const Tables& tables, const scene::Moment& moment,
+[[nodiscard]] View make_view(gpu::Device& device, const Tables& tables, const scene::SceneSnapshot& snapshot,
                              const ViewMatrices& matrices, glm::uvec2 size, std::size_t sorted_triangles);
 
 // Where a view stands in the device's world space, metres. Exactly 0 of the main eye.

@@ -58,7 +58,7 @@ class Reference(CliTest):
             self.assertEqual(self.trace("--transport", flag), self.trace("-D", f"reference.transport={option}"))
         self.assertNotEqual(self.trace("--transport", "direct"), self.trace("--transport", "full"))
         self.assertNotEqual(self.trace("--shadows", "off"), self.trace("--shadows", "on"))
-        self.assertNotEqual(self.trace("--glow", "off"), self.trace("--glow", "on"))
+        self.assertNotEqual(self.trace("--emissive-lighting", "off"), self.trace("--emissive-lighting", "on"))
         pixels = []
         for flags in (("--max-bounces", "0"), ("--transport", "direct+env")):
             self.trace(*flags)

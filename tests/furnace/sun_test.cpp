@@ -58,8 +58,8 @@ TEST(Sun, SetsAsADisc) {
 }
 
 TEST(Sun, ShinesInsteadOfTheScenesOwnLights) {
-  const TestLight lamp{.type = "directional", .intensity = 100.0f, .direction = {0, -1, 0}};
-  EXPECT_NEAR(radiance_of({0, 1, 0}, sun_at(0.0f, 90.0f), lamp), 1.0f, kTolerance);
+  const TestLight light{.type = "directional", .intensity = 100.0f, .direction = {0, -1, 0}};
+  EXPECT_NEAR(radiance_of({0, 1, 0}, sun_at(0.0f, 90.0f), light), 1.0f, kTolerance);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "support.hpp"
 
 #include "scene/gltf.hpp"
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 namespace velarium::fuzz {
 namespace {
@@ -22,7 +22,7 @@ void gltf(Bytes input) {
   static const InputFile file("input.gltf");
   expect_orderly([&] {
     const scene::Scene scene = scene::read_gltf(file.write(input), small_limits());
-    for (const float time_s : {0.0f, 0.5f}) static_cast<void>(scene::moment_at(scene, time_s, "all"));
+    for (const float time_s : {0.0f, 0.5f}) static_cast<void>(scene::snapshot_at(scene, time_s, "all"));
   });
 }
 

@@ -44,7 +44,7 @@ class Rooms {
   GltfWriter scene_;
 };
 
-TestLight lamp(const char* type) {
+TestLight test_light(const char* type) {
   const bool directional = std::string(type) == "directional";
   return {.type = type,
           .intensity = directional ? 2.0f : 10.0f,
@@ -94,23 +94,24 @@ void expect_only_room_a(const TestLight& light, const RenderRequest& request, co
 TEST(ClipVolumes, EndEachKindOfLight) {
   for (const char* type : {"directional", "point", "spot"}) {
     SCOPED_TRACE(type);
-    expect_only_room_a(lamp(type), seen_from({-3.5f, 1.6f, 2.7f}, {0.5f, 0.9f, 0.5f}));
+    expect_only_room_a(test_light(type), seen_from({-3.5f, 1.6f, 2.7f}, {0.5f, 0.9f, 0.5f}));
   }
 }
 
 TEST(ClipVolumes, DoNotDependOnWhereTheEyeIs) {
   const glm::vec3 inside(-3.5f, 1.6f, 2.7f), beside(3.5f, 2.0f, 2.9f), above(1.0f, 6.0f, 5.0f);
-  for (const glm::vec3& eye : {inside, beside, above}) expect_only_room_a(lamp("point"), seen_from(eye, {0, 0.5f, 0}));
-  expect_only_room_a(lamp("point"), linear_request(97, 73));  // the orthographic camera
+  for (const glm::vec3& eye : {inside, beside, above})
+    expect_only_room_a(test_light("point"), seen_from(eye, {0, 0.5f, 0}));
+  expect_only_room_a(test_light("point"), linear_request(97, 73));  // the orthographic camera
 }
 
 TEST(ClipVolumes, HoldFarFromTheOrigin) {
   const glm::vec3 origin(102400.0f, 0.0f, -102400.0f);
-  expect_only_room_a(lamp("point"), seen_from(origin + glm::vec3(-3.5f, 1.625f, 2.75f), origin), origin);
+  expect_only_room_a(test_light("point"), seen_from(origin + glm::vec3(-3.5f, 1.625f, 2.75f), origin), origin);
 }
 
 TEST(ClipVolumes, TilesLoseNothing) {
-  const Scene scene = Rooms(ended(lamp("point"))).load();
+  const Scene scene = Rooms(ended(test_light("point"))).load();
   RenderRequest request = seen_from({1.0f, 6.0f, 5.0f}, {0, 0.5f, 0});
   const Picture tiled = picture_of(scene, request);
   request.settings.lighting.path = LightingPath::all;
@@ -120,16 +121,16 @@ TEST(ClipVolumes, TilesLoseNothing) {
 TEST(ClipVolumes, EndLightsThatAreDrawnAsBodies) {
   RenderRequest request = seen_from({-3.5f, 1.6f, 2.7f}, {0.5f, 0.9f, 0.5f});
   request.settings.lighting.path = LightingPath::volumes;
-  expect_only_room_a(lamp("spot"), request);
+  expect_only_room_a(test_light("spot"), request);
 }
 
 TEST(ClipVolumes, EndLightsOfThePathTracerToo) {
   ReferenceRequest request{.view = seen_from({-3.5f, 1.6f, 2.7f}, {0.5f, 0.9f, 0.5f})};
   request.view.settings.reference.spp = 4;
   request.view.settings.reference.transport = Transport::direct;
-  TestLight ball = lamp("point");
+  TestLight ball = test_light("point");
   ball.extras["radius"] = 0.2f;
-  for (const TestLight& light : {lamp("spot"), ball}) {
+  for (const TestLight& light : {test_light("spot"), ball}) {
     const Picture open = render_reference(Rooms(light).load(), request).picture;
     EXPECT_GT(largest(open, 1), 0.05f);
     const Picture closed = render_reference(Rooms(ended(light)).load(), request).picture;

@@ -22,7 +22,7 @@ constexpr float kPixel = 0.001f;     // metres at the floor
 constexpr float kStep = 0.01f;       // metres, high and wide
 constexpr float kEyeHeight = 0.5f;   // metres
 
-// Lamps have no maps, rays are long and fine: what the march alone finds.
+// Lights have no maps, rays are long and fine: what the march alone finds.
 RenderRequest alone(RenderRequest request) {
   set_options(request.settings,
               "local_shadows.enabled=off contact_shadows.enabled=on contact_shadows.without_map=on "
@@ -74,8 +74,8 @@ TEST(ContactShadows, AStepThrowsAShadowOfItsHeightUnder45Degrees) {
 
 TEST(ContactShadows, ComeFromLampsAsWell) {
   // Two centimetres high and so far beyond the edge that rays over it come down at 45 degrees.
-  const TestLight lamp{.intensity = 0.01f, .position = {-0.01f, 2.0f * kStep, 0}};
-  EXPECT_NEAR(shadow_pixels(step({lamp}), linear_request(kSide, kSide)), static_cast<int>(kStep / kPixel), 1);
+  const TestLight light{.intensity = 0.01f, .position = {-0.01f, 2.0f * kStep, 0}};
+  EXPECT_NEAR(shadow_pixels(step({light}), linear_request(kSide, kSide)), static_cast<int>(kStep / kPixel), 1);
 }
 
 TEST(ContactShadows, NothingBeyondALampBlocksIt) {
@@ -94,23 +94,23 @@ TEST(ContactShadows, ComeFromLightsThatCastShadows) {
 }
 
 TEST(ContactShadows, LampsWithoutMapsThrowThemOnlyWhereAsked) {
-  const TestLight lamp{.intensity = 0.01f, .position = {-0.01f, 2.0f * kStep, 0}};
-  const Scene scene = step({lamp});
+  const TestLight light{.intensity = 0.01f, .position = {-0.01f, 2.0f * kStep, 0}};
+  const Scene scene = step({light});
   RenderRequest request = alone(linear_request(kSide, kSide));
   const Picture open = picture_of(scene, without(request));
   request.settings.contact_shadows.without_map = false;
   EXPECT_EQ(largest_error(picture_of(scene, request).linear, open.linear), 0.0);
 }
 
-// Light from above, which throws no shadow, is a 20th of the lamp's where that shines from 45 degrees, or 40 times as
+// Light from above, which throws no shadow, is a 20th of the light's where that shines from 45 degrees, or 40 times as
 // much.
 TEST(ContactShadows, OnlyALampThatGivesMoreThanHalfOfTheLightThrowsOne) {
-  const TestLight lamp{.intensity = 0.01f, .position = {-0.01f, 2.0f * kStep, 0}};
+  const TestLight light{.intensity = 0.01f, .position = {-0.01f, 2.0f * kStep, 0}};
   TestLight above{
       .type = "directional", .intensity = 1.0f, .direction = {0, -1, 0}, .extras = {{"casts_shadow", false}}};
-  EXPECT_NEAR(shadow_pixels(step({lamp, above}), linear_request(kSide, kSide)), static_cast<int>(kStep / kPixel), 1);
+  EXPECT_NEAR(shadow_pixels(step({light, above}), linear_request(kSide, kSide)), static_cast<int>(kStep / kPixel), 1);
   above.intensity = 1000.0f;
-  const Scene scene = step({lamp, above});
+  const Scene scene = step({light, above});
   const RenderRequest request = alone(linear_request(kSide, kSide));
   EXPECT_EQ(largest_error(picture_of(scene, request).linear, picture_of(scene, without(request)).linear), 0.0);
 }

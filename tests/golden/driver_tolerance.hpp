@@ -24,7 +24,7 @@ inline constexpr OtherDrivers kOtherDrivers[] = {
     {"atrium_pool", {.max_error = 16, .share = 0.01}, "as atrium"},
     {"bumpy_metal",
      {.max_error = 16, .share = 0.02},
-     "fine normals under one lamp: lavapipe filters them in 8 bits, as in atrium"},
+     "fine normals under one light: lavapipe filters them in 8 bits, as in atrium"},
     {"sun_far",
      {.max_error = 16, .share = 0.006},
      "casters snap to 1/16 of a texel of a coarse map, which a blurred one shows as another shade all over its "

@@ -19,8 +19,8 @@ namespace {
 constexpr std::uint32_t kSize = 64;
 // All that a viewer a metre away sees lies beyond one small cascade.
 const std::string kBeyond = "sun_shadows.size=256 sun_shadows.cascades=1 sun_shadows.distance=0.01 ";
-const std::string kVsm = kBeyond + "sun_shadows.far=vsm sun_shadows.far_size=512 ";
-const std::string kStatic = kBeyond + "sun_shadows.far=static_map sun_shadows.static_size=1024 ";
+const std::string kVsm = kBeyond + "far_shadows.kind=vsm far_shadows.size=512 ";
+const std::string kStatic = kBeyond + "far_shadows.kind=static_map far_shadows.static_size=1024 ";
 const std::string kStaggered = "sun_shadows.update=staggered ";
 
 RenderRequest request(const std::string& options) {
@@ -60,7 +60,7 @@ double shadow_edge(const std::vector<float>& share) {
 
 TEST(FarShadow, FallsWhereGeometrySays) {
   const Scene roof = Roof{}.load();
-  EXPECT_EQ(shadow_edge(shadow_of(roof, request(kBeyond + "sun_shadows.far=off"))), -1.0);
+  EXPECT_EQ(shadow_edge(shadow_of(roof, request(kBeyond + "far_shadows.kind=off"))), -1.0);
   // Its texels are 1.8 and 0.9 cm; the moments' light begins at a fifth of the bound, some tenths of a texel later.
   EXPECT_NEAR(shadow_edge(shadow_of(roof, request(kVsm))), -1.5, 0.02);
   EXPECT_NEAR(shadow_edge(shadow_of(roof, request(kStatic))), -1.5, 0.02);
@@ -70,7 +70,7 @@ TEST(FarShadow, FallsWhereGeometrySays) {
 TEST(FarShadow, NoPlaneShadowsItself) {
   for (const float tilt : {0.0f, 30.0f, 60.0f, 80.0f, 85.0f}) {
     const Scene plane = tilted_plane(tilt);
-    for (const auto& options : {kVsm + "sun_shadows.far_size=128", kStatic + "sun_shadows.static_size=128"})
+    for (const auto& options : {kVsm + "far_shadows.size=128", kStatic + "far_shadows.static_size=128"})
       EXPECT_GT(darkest_on_plane(plane, options), 0.999f) << tilt << " degrees, " << options;
   }
 }
@@ -105,7 +105,7 @@ TEST(FarShadow, EdgesStayWhereTheyAreWhenTheViewerMoves) {
     scene.add_orthographic_camera({0, 30, z}, {0, 0, z}, kHalf, 100.0f);
     return shadow_of(scene.load(), request(options));
   };
-  for (const auto& kind : {kVsm + "sun_shadows.far_size=2048", kStatic + "sun_shadows.static_size=4096"}) {
+  for (const auto& kind : {kVsm + "far_shadows.size=2048", kStatic + "far_shadows.static_size=4096"}) {
     const auto before = seen_from(0.0f, kind), after = seen_from(kPixel * kShift, kind);
     std::uint32_t shadowed = 0, changed = 0;
     for (std::uint32_t y = 0; y < kSize; ++y)
@@ -142,7 +142,7 @@ TEST(FarShadow, CostsNothingWhereCascadesReach) {
     const auto result = engine().render(roof, view);
     EXPECT_EQ(passes_named(result.report, "far_shadows"), 0u) << options;
     RenderRequest off = view;
-    off.settings.sun_shadows.far = FarSun::off;
+    off.settings.far_shadows.kind = FarShadow::off;
     EXPECT_EQ(largest_error(result.picture.linear, picture_of(roof, off).linear), 0.0) << options;
   }
 }
@@ -153,14 +153,14 @@ TEST(FarShadow, TheStaticMapReplacesTheLastTwoCascades) {
   for (const char* cascades : {"1", "2", "4"}) {
     const std::string options =
         std::string(
-            "sun_shadows.size=512 sun_shadows.far=static_map sun_shadows.static_size=1024 sun_shadows.cascades=") +
+            "sun_shadows.size=512 far_shadows.kind=static_map far_shadows.static_size=1024 sun_shadows.cascades=") +
         cascades;
     RenderRequest view = request(options);
     view.look_at = LookAt{.eye = {0, 1, 6}, .vertical_fov_deg = 10.0f};
     const bool whole = *cascades == '1';
     EXPECT_EQ(passes_named(engine().render(roof, view).report, "far_shadows"), whole ? 0u : 1u) << cascades;
     RenderRequest plain = view;
-    plain.settings.sun_shadows.far = FarSun::off;
+    plain.settings.far_shadows.kind = FarShadow::off;
     const auto with = shadow_of(roof, view), without = shadow_of(roof, plain);
     double changed = 0.0;
     for (std::size_t i = 0; i < with.size(); ++i) changed += static_cast<double>(std::abs(with[i] - without[i]));
@@ -172,12 +172,12 @@ TEST(FarShadow, TheStaticMapReplacesTheLastTwoCascades) {
 TEST(FarShadow, WhatMovesIsInNoStaticMap) {
   for (const char* file : {"skinned_bar.gltf", "morph_cube.gltf"}) {
     const Scene moving = Scene::load(std::filesystem::path(VELARIUM_TEST_DATA) / file);
-    RenderRequest view = request("sun_shadows.far=static_map");
+    RenderRequest view = request("far_shadows.kind=static_map");
     view.sun = Sun{};
     const auto result = engine().render(moving, view);
     EXPECT_EQ(passes_named(result.report, "sun_shadows"), 1u) << file;
     EXPECT_EQ(passes_named(result.report, "far_shadows"), 0u) << file;
-    view.settings.sun_shadows.far = FarSun::vsm;
+    view.settings.far_shadows.kind = FarShadow::vsm;
     EXPECT_EQ(largest_error(result.picture.linear, picture_of(moving, view).linear), 0.0) << file;
   }
 }
@@ -188,7 +188,7 @@ TEST(FarShadow, BeyondShortCascadesWhatMovesThrowsNoShadow) {
   for (const char* update : {"all", "staggered"}) {
     Engine fresh(validated());
     RenderRequest view = request(kStatic + "sun_shadows.update=" + update),
-                  without = request(kBeyond + "sun_shadows.far=off");
+                  without = request(kBeyond + "far_shadows.kind=off");
     view.sun = without.sun = Sun{};
     const auto result = fresh.render(moving, view);
     EXPECT_EQ(passes_named(result.report, "sun_shadows"), 1u) << update;
@@ -250,8 +250,8 @@ TEST(FarShadow, KeptMapsAreNotThoseOfAnotherScene) {
 TEST(FarShadow, ItsMemoryIsReported) {
   const Scene roof = Roof{}.load();
   Engine fresh(validated());
-  const auto without = fresh.render(roof, request(kBeyond + "sun_shadows.far=off")).report.device_bytes;
-  const auto with = fresh.render(roof, request(kStatic + "sun_shadows.static_size=4096")).report.device_bytes;
+  const auto without = fresh.render(roof, request(kBeyond + "far_shadows.kind=off")).report.device_bytes;
+  const auto with = fresh.render(roof, request(kStatic + "far_shadows.static_size=4096")).report.device_bytes;
   EXPECT_GE(with, without + (std::uint64_t{32} << 20));
 }
 

@@ -35,7 +35,7 @@ RenderRequest volumes(RenderRequest request) {
   return request;
 }
 
-// Suns, lamps with and without an end, narrow and wide spots, a pane of glass, and a floor that meets them all.
+// Suns, lights with and without an end, narrow and wide spots, a pane of glass, and a floor that meets them all.
 Scene mixed_lights() {
   GltfWriter scene;
   const int floor =
@@ -165,7 +165,7 @@ TEST(LightVolumes, AreNotDrawnWhereNoLightShines) {
   EXPECT_EQ(passes_named(report, "light_volumes"), 0u);
 }
 
-// The legacy model in both renderers: highlights under lamps alone, of which the path tracer has no noise.
+// The legacy model in both renderers: highlights under lights alone, of which the path tracer has no noise.
 TEST(BlinnPhong, IsThatOfThePathTracer) {
   GltfWriter writer;
   for (const float x : {-1.5f, 0.0f, 1.5f}) {

@@ -58,7 +58,7 @@ GltfWriter room() {
   return scene;
 }
 
-TestLight lamp(const std::string& type, float radius = 0.0f) {
+TestLight test_light(const std::string& type, float radius = 0.0f) {
   TestLight light{.type = type,
                   .intensity = 40.0f,
                   .inner_cone = 0.4f,
@@ -86,29 +86,29 @@ double flip_of(const TestLight& light) {
 }
 
 TEST(LocalShadows, PointsCastThePathTracersShadows) {
-  EXPECT_LT(flip_of(lamp("point")), 0.02);
+  EXPECT_LT(flip_of(test_light("point")), 0.02);
 }
 
 TEST(LocalShadows, SpotsCastThePathTracersShadows) {
-  EXPECT_LT(flip_of(lamp("spot")), 0.02);
-  TestLight wide = lamp("spot");
+  EXPECT_LT(flip_of(test_light("spot")), 0.02);
+  TestLight wide = test_light("spot");
   wide.outer_cone = 1.5f;  // six views
   EXPECT_LT(flip_of(wide), 0.02);
 }
 
 TEST(LocalShadows, PenumbraeAreThePathTracers) {
-  EXPECT_LT(flip_of(lamp("point", 0.1f)), 0.03);
-  EXPECT_LT(flip_of(lamp("spot", 0.1f)), 0.03);
+  EXPECT_LT(flip_of(test_light("point", 0.1f)), 0.03);
+  EXPECT_LT(flip_of(test_light("spot", 0.1f)), 0.03);
 }
 
-// A plate under a lamp whose penumbra is wider than the plate is high above the floor, as that of a torch's cup.
+// A plate under a light whose penumbra is wider than the plate is high above the floor, as that of a torch's cup.
 TEST(LocalShadows, WhatStandsRightBesideABulbHasAWidePenumbra) {
   GltfWriter scene;
   const int grey = scene.add_material({.base_color = {0.7f, 0.7f, 0.7f, 1}});
   scene.add_quad(grey, {0, 0, 0}, {0, 1, 0}, {12, 12});
   scene.add_box(grey, {0, 1.85f, 0}, {0.16f, 0.02f, 0.16f});
   scene.add_box(grey, {1.0f, 0.3f, 0.0f}, {0.3f, 0.6f, 0.3f});
-  TestLight light = lamp("point", 0.08f);
+  TestLight light = test_light("point", 0.08f);
   light.position = {0, 2, 0};
   scene.add_light(light);
   EXPECT_LT(flip_to_truth(scene.load(), request()), 0.06);  // 0.15 with the widest filter a quarter of this one
@@ -166,7 +166,7 @@ TEST(LocalShadows, SurfacesAreLitAtEveryTilt) {
 Scene many_lamps() {
   GltfWriter scene = plane_with_boxes();
   for (int i = 0; i < 24; ++i) {
-    TestLight light = lamp(i % 3 == 0 ? "spot" : "point", i % 2 == 0 ? 0.1f : 0.0f);
+    TestLight light = test_light(i % 3 == 0 ? "spot" : "point", i % 2 == 0 ? 0.1f : 0.0f);
     light.intensity = 2.0f + static_cast<float>(i);
     light.position = {3.0f * std::cos(0.26f * static_cast<float>(i)), 1.8f,
                       3.0f * std::sin(0.26f * static_cast<float>(i))};
@@ -218,7 +218,7 @@ TEST(LocalShadows, ExtremesAreFinite) {
     for (const glm::vec3 place : {glm::vec3(3, 3, 4), glm::vec3(0, 0, 0), glm::vec3(0, 1e4f, 0)})
       for (const float radius : {0.0f, 5.0f}) {
         GltfWriter scene = plane_with_boxes();
-        TestLight light = lamp("spot", radius);
+        TestLight light = test_light("spot", radius);
         light.inner_cone = 0.0f;
         light.outer_cone = cone;
         light.position = place;

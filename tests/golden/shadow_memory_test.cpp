@@ -20,11 +20,11 @@ constexpr std::uint32_t kSize = 96;
 constexpr double kMiB = 1 << 20;
 // A map of the sun, the atlas with its veils: 12 MiB each; a far map, 20 MiB.
 const std::string kMaps =
-    "sun_shadows.size=1024 sun_shadows.cascades=1 sun_shadows.distance=2.5 sun_shadows.far_size=1024 "
+    "sun_shadows.size=1024 sun_shadows.cascades=1 sun_shadows.distance=2.5 far_shadows.size=1024 "
     "local_shadows.atlas=1024 ";
 const std::string kNone = "sun_shadows.enabled=off local_shadows.enabled=off ";
 
-// A floor, a body and a sheet under a sun and a lamp. The camera is three metres up: the map of the sun ends above the
+// A floor, a body and a sheet under a sun and a light. The camera is three metres up: the map of the sun ends above the
 // floor.
 Scene lit_floor() {
   GltfWriter scene;
@@ -92,7 +92,7 @@ TEST(ShadowMemory, IsBounded) {
   // 5 of the far map, 3 of the atlas and 3 of the sun.
   ASSERT_EQ(small.report.notes.size(), 1u);
   EXPECT_EQ(small.report.notes.front(),
-            "sun_shadows.far_size is 512 instead of 1024, local_shadows.atlas is 512 instead of 1024, sun_shadows.size "
+            "far_shadows.size is 512 instead of 1024, local_shadows.atlas is 512 instead of 1024, sun_shadows.size "
             "is 512 instead of 1024: shadows.memory=16 allows no more");
   EXPECT_GE(total(small.report), 11 * kMiB);
   EXPECT_LE(total(small.report), 16 * kMiB);
@@ -104,11 +104,11 @@ TEST(ShadowMemory, IsBounded) {
 }
 
 TEST(ShadowMemory, StaticMapsAreBounded) {
-  const auto kind = request("sun_shadows.far=static_map sun_shadows.static_size=4096 shadows.memory=40");
+  const auto kind = request("far_shadows.kind=static_map far_shadows.static_size=4096 shadows.memory=40");
   const auto result = engine().render(lit_floor(), kind);
   ASSERT_EQ(result.report.notes.size(), 1u);
   EXPECT_EQ(result.report.notes.front(),
-            "sun_shadows.static_size is 2048 instead of 4096: shadows.memory=40 allows no more");
+            "far_shadows.static_size is 2048 instead of 4096: shadows.memory=40 allows no more");
   EXPECT_LE(total(result.report), 40 * kMiB);
 }
 
@@ -118,7 +118,7 @@ TEST(ShadowMemory, GoesWithTheMaps) {
   Engine fresh(validated());
   EXPECT_TRUE(fresh.render(scene, request(kNone)).report.shadow_maps.empty());
   EXPECT_TRUE(maps_of(fresh.render(scene, request("")).report).contains("far_shadows.depth"));
-  const auto still = maps_of(fresh.render(scene, request("sun_shadows.far=static_map")).report);
+  const auto still = maps_of(fresh.render(scene, request("far_shadows.kind=static_map")).report);
   EXPECT_FALSE(still.contains("far_shadows.depth"));
   EXPECT_TRUE(still.contains("far_shadows.map"));
   EXPECT_TRUE(fresh.render(scene, request(kNone)).report.shadow_maps.empty());

@@ -164,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(Lights, Translucency, testing::ValuesIn(kLights),
 std::vector<std::string> passes_of(const GltfWriter& scene, const std::string& options) {
   std::vector<std::string> names;
   for (const auto& pass : engine().render(scene.load(), from_above(options)).report.passes)
-    if (pass.name.ends_with("_veils")) names.push_back(pass.name);
+    if (pass.name.ends_with("_translucency")) names.push_back(pass.name);
   return names;
 }
 
@@ -187,7 +187,7 @@ TEST(TranslucencyCosts, NothingWithoutSheets) {
   EXPECT_GT(bytes(sheet, ""), bytes(sheet, kOff));
 }
 
-// Two suns' worth of lamps and two sheets.
+// Two suns' worth of lights and two sheets.
 Scene courtyard() {
   GltfWriter scene = floor_under(kLights[1]);
   for (const auto& light : {kLights[3], kLights[4]}) scene.add_light(light_of(light));

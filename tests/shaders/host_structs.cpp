@@ -40,7 +40,7 @@ using namespace shading;
 }  // namespace light_volumes_own
 namespace normal_variance_own {
 using namespace shading;
-#include "passes/normal_variance/normal_variance_io.glsl"
+#include "passes/specular_aa/specular_aa_io.glsl"
 }  // namespace normal_variance_own
 namespace caster {
 using namespace shading;
@@ -78,13 +78,13 @@ std::vector<HostStruct> host_structs() {
       STRUCT(shading::Cascade, Cascade, MEMBER(place), MEMBER(depth), MEMBER(soft)),
       STRUCT(shading::SunShadows, SunShadows, MEMBER(axis_x), MEMBER(axis_y), MEMBER(axis_z), MEMBER(cascades),
              MEMBER(cascade_count), MEMBER(translucent)),
-      STRUCT(far_shadows::io::FarShadow, FarShadow, MEMBER(cascade), MEMBER(normal_offset), MEMBER(snap)),
+      STRUCT(far_shadows::io::FarCascade, FarCascade, MEMBER(cascade), MEMBER(normal_offset), MEMBER(snap)),
       STRUCT(environment::io::Environment, Environment, MEMBER(background), MEMBER(turn), MEMBER(sh)),
       STRUCT(area_lights::io::AreaLights, AreaLights, MEMBER(min_highlight_alpha)),
       STRUCT(contact_shadows::io::ContactShadows, ContactShadows, MEMBER(longest), MEMBER(thickness)),
       STRUCT(caster::CasterPush, CasterPush, MEMBER(clip_from_world)),
       STRUCT(light_volumes_own::VolumePush, VolumePush, MEMBER(shape)),
-      STRUCT(normal_variance_own::NormalVariancePush, NormalVariancePush, MEMBER(share), MEMBER(dim_dielectrics)),
+      STRUCT(normal_variance_own::SpecularAaPush, SpecularAaPush, MEMBER(share), MEMBER(dim_dielectrics)),
       STRUCT(far_blur::BlurPush, BlurPush, MEMBER(radius), MEMBER(weights)),
       STRUCT(average::AveragePush, AveragePush, MEMBER(frame_weight)),
       STRUCT(display_own::DisplayPush, DisplayPush, MEMBER(background), MEMBER(frame_weight), MEMBER(seed)),

@@ -148,9 +148,9 @@ TEST(EnvironmentLight, SamplesKnowTheirRadianceAndDensity) {
   EXPECT_LT(other_pixel, kSamples / 1000);
 }
 
-// Wherever there is light, it can be found, and no sample weighs too much. Around a lone lamp, bilinear reads fade over
-// eight pixels: the farthest hold a quarter at a corner, 1 / 24 in the root of the mean square, so that the largest
-// weight is 6 times the sum of all such roots, which is 0.583 + 4 x 0.156 + 4 x 0.042 = 1.37 lamps.
+// Wherever there is light, it can be found, and no sample weighs too much. Around a lone light, bilinear reads fade
+// over eight pixels: the farthest hold a quarter at a corner, 1 / 24 in the root of the mean square, so that the
+// largest weight is 6 times the sum of all such roots, which is 0.583 + 4 x 0.156 + 4 x 0.042 = 1.37 lights.
 TEST(EnvironmentLight, FindsAllLight) {
   const EnvironmentLight light(lone_lamp(), 20.0f, 1.0f);
   const double pixel_sr = (std::cos(5.0 * shading::kPiExact / 16.0) - std::cos(6.0 * shading::kPiExact / 16.0)) * 2.0 *
@@ -169,7 +169,7 @@ TEST(EnvironmentLight, FindsAllLight) {
   EXPECT_GT(lit, 500);
 }
 
-// The light of a lone lamp: its pixel's solid angle times radiance, since bilinear reading hands on but keeps the sum,
+// The light of a lone light: its pixel's solid angle times radiance, since bilinear reading hands on but keeps the sum,
 // where rows have nearly the same solid angle.
 TEST(EnvironmentLight, KeepsThePowerOfASmallLamp) {
   const FloatImage picture = lone_lamp();

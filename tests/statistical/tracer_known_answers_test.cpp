@@ -29,7 +29,7 @@ scene::Scene one_mesh(scene::Primitive primitive, scene::Material material) {
   return std::move(builder).take();
 }
 
-shading::GpuLight lamp(const glm::vec3& position, float candela, float radius = 0.0f) {
+shading::GpuLight light(const glm::vec3& position, float candela, float radius = 0.0f) {
   return {.position_range = glm::vec4(position, 0.0f),
           .direction = {0.0f, -1.0f, 0.0f, shading::kLightPoint},
           .color = glm::vec4(glm::vec3(candela), radius),
@@ -90,7 +90,7 @@ TEST(TracerKnownAnswers, PointOverAPlane) {
   Tracing t{one_mesh(square(10.0f, 0.0f, true), matt(0.6f)), point_below(5.0f)};
   t.settings.reference.spp = 4;
   const glm::dvec3 position(1.5, 2.0, 0.0);
-  t.lamps = {lamp(glm::vec3(position) - glm::vec3(0.0f, 5.0f, 0.0f), 30.0f)};
+  t.lights = {light(glm::vec3(position) - glm::vec3(0.0f, 5.0f, 0.0f), 30.0f)};
   const double d = glm::length(position);
   const double expected = 0.6 / kPi * 30.0 * (position.y / d) / (d * d);
   EXPECT_NEAR(t.run().radiance(), expected, 5e-4 * expected);
@@ -101,7 +101,7 @@ TEST(TracerKnownAnswers, SphereOverAPlane) {
   Tracing t{one_mesh(square(10.0f, 0.0f, true), matt(0.6f)), point_below(5.0f)};
   t.settings.reference.spp = 1024;
   const glm::dvec3 position(1.5, 2.0, 0.0);
-  t.lamps = {lamp(glm::vec3(position) - glm::vec3(0.0f, 5.0f, 0.0f), 30.0f, 1.2f)};
+  t.lights = {light(glm::vec3(position) - glm::vec3(0.0f, 5.0f, 0.0f), 30.0f, 1.2f)};
   const double d = glm::length(position);
   expect_radiance(t.run(), 0.6 / kPi * 30.0 * (position.y / d) / (d * d), 0.002);
 }
@@ -128,7 +128,7 @@ TEST(TracerKnownAnswers, SphereThatTheHorizonCuts) {
   t.settings.reference.spp = 4096;
   const glm::dvec3 position(2.0, 0.3, 0.0);
   const double d = glm::length(position), radius = 0.8;
-  t.lamps = {lamp(glm::vec3(position) - glm::vec3(0.0f, 5.0f, 0.0f), 30.0f, static_cast<float>(radius))};
+  t.lights = {light(glm::vec3(position) - glm::vec3(0.0f, 5.0f, 0.0f), 30.0f, static_cast<float>(radius))};
   const double radiance = 30.0 / (kPi * radius * radius);
   expect_radiance(t.run(), 0.6 / kPi * radiance * projected_solid_angle(radius / d, position.y / d), 0.005);
 }
@@ -197,7 +197,7 @@ TEST(TracerKnownAnswers, ColouredBlendedSurfacesDyeTheLightThatPasses) {
   expect_radiance(t.run(), passed * 0.6 * 3.0 * 4.0 * corner_form_factor(1.0, 1.0, 2.0), 0.005);
   // A small bulb between the sheet and the panel.
   t.scene.materials[1].emissive = glm::vec3(0.0f);
-  t.lamps = {lamp({0.0f, 1.9f - 1.5f, 0.0f}, 30.0f, 0.1f)};
+  t.lights = {light({0.0f, 1.9f - 1.5f, 0.0f}, 30.0f, 0.1f)};
   expect_radiance(t.run(), passed * 0.6 / kPi * 30.0 / (1.9 * 1.9), 0.01);
 }
 

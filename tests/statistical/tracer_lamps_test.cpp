@@ -1,4 +1,4 @@
-// Lamps of every kind over a plane, whose radiance is known in closed form. Estimates may be off by five of their own
+// Lights of every kind over a plane, whose radiance is known in closed form. Estimates may be off by five of their own
 // standard errors.
 
 #include "statistical/tracer_scene.hpp"
@@ -34,8 +34,8 @@ Tracing plane(bool covered = false) {
 }
 
 // Casts shadows; its place is in the scene's axes, a camera at `eye_height` above the origin sees it.
-shading::GpuLight lamp(float kind, const glm::vec3& position, const glm::vec3& direction, float size,
-                       float eye_height = kHeight) {
+shading::GpuLight light(float kind, const glm::vec3& position, const glm::vec3& direction, float size,
+                        float eye_height = kHeight) {
   shading::GpuLight l{};
   l.position_range = glm::vec4(position - glm::vec3(0.0f, eye_height, 0.0f), 0.0f);
   l.direction = glm::vec4(glm::normalize(direction), kind);
@@ -50,7 +50,7 @@ const glm::vec3 kDown(0.0f, -1.0f, 0.0f);
 TEST(TracerLamps, DiscAtTheSky) {
   Tracing t = plane();
   for (const float sine : {0.0f, 0.00465f, 0.5f}) {
-    t.lamps = {lamp(shading::kLightDirectional, {}, {0.6f, -0.8f, 0.0f}, sine)};
+    t.lights = {light(shading::kLightDirectional, {}, {0.6f, -0.8f, 0.0f}, sine)};
     expect_radiance(t, 0.6 / kPi * 10.0 * 0.8);
   }
 }
@@ -59,7 +59,7 @@ TEST(TracerLamps, DiscAtTheSky) {
 TEST(TracerLamps, DiscThatTheHorizonCuts) {
   Tracing t = plane();
   const double sine = 0.05;
-  t.lamps = {lamp(shading::kLightDirectional, {}, {1.0f, 0.0f, 0.0f}, static_cast<float>(sine))};
+  t.lights = {light(shading::kLightDirectional, {}, {1.0f, 0.0f, 0.0f}, static_cast<float>(sine))};
   t.settings.reference.spp = 4096;
   expect_radiance(t, 0.6 / kPi * 10.0 / (kPi * sine * sine) * (2.0 / 3.0 * sine * sine * sine));
 }
@@ -67,12 +67,12 @@ TEST(TracerLamps, DiscThatTheHorizonCuts) {
 // Lux at 1 m from the surface; half of the fade, squared, at 0.9 of the cutoff radius.
 TEST(TracerLamps, BulbsFallOffFromTheirSurface) {
   Tracing t = plane();
-  shading::GpuLight bulb = lamp(shading::kLightPoint, {0.0f, 1.25f, 0.0f}, kDown, 0.25f);
+  shading::GpuLight bulb = light(shading::kLightPoint, {0.0f, 1.25f, 0.0f}, kDown, 0.25f);
   bulb.cone.w = shading::kFalloffBulb;
-  t.lamps = {bulb};
+  t.lights = {bulb};
   expect_radiance(t, 0.6 / kPi * 10.0);
   bulb.position_range.w = 1.25f / 0.9f;
-  t.lamps = {bulb};
+  t.lights = {bulb};
   expect_radiance(t, 0.6 / kPi * 10.0 * 0.25);
 }
 
@@ -81,17 +81,17 @@ TEST(TracerLamps, NothingHidesLampsThatCastNoShadows) {
   Tracing t = plane(true);
   const glm::vec3 above(0.0f, 2.0f, 0.0f);
   for (const float size : {0.0f, 0.5f}) {
-    shading::GpuLight point = lamp(shading::kLightPoint, above, kDown, size, kLow);
-    t.lamps = {point};
+    shading::GpuLight point = light(shading::kLightPoint, above, kDown, size, kLow);
+    t.lights = {point};
     EXPECT_EQ(t.run().radiance(), 0.0) << size;
     point.flags = 0;
-    t.lamps = {point};
+    t.lights = {point};
     expect_radiance(t, 0.6 / kPi * 10.0 / 4.0);
-    shading::GpuLight disc = lamp(shading::kLightDirectional, {}, kDown, size, kLow);
-    t.lamps = {disc};
+    shading::GpuLight disc = light(shading::kLightDirectional, {}, kDown, size, kLow);
+    t.lights = {disc};
     EXPECT_EQ(t.run().radiance(), 0.0) << size;
     disc.flags = 0;
-    t.lamps = {disc};
+    t.lights = {disc};
     expect_radiance(t, 0.6 / kPi * 10.0);
   }
 }
@@ -105,11 +105,11 @@ TEST(TracerLamps, SpotsThrowTheirPictures) {
                    .rgba = {255, 0, 0, 255, 255, 0, 0, 255,  //
                             0, 255, 0, 255, 0, 255, 0, 255}}};
   for (const float x : {-0.5f, 0.5f}) {
-    shading::GpuLight spot = lamp(shading::kLightSpot, {x, 2.0f, 0.0f}, kDown, 0.0f);
+    shading::GpuLight spot = light(shading::kLightSpot, {x, 2.0f, 0.0f}, kDown, 0.0f);
     spot.cone = {0.0f, 1.0f, 0.0f, shading::kFalloffInverseSquare};
     spot.projector = {1.0f, 0.0f, 0.0f, 1.0f};
     spot.projector_layer = 1;
-    t.lamps = {spot};
+    t.lights = {spot};
     const double d2 = 4.0 + static_cast<double>(x * x);
     // The plane's middle lies on the other side of the spot's axis; radiance() is of green.
     EXPECT_NEAR(t.run().radiance(), x < 0.0f ? 0.6 / kPi * 10.0 * 2.0 / (d2 * std::sqrt(d2)) : 0.0, 1e-3);
@@ -119,13 +119,13 @@ TEST(TracerLamps, SpotsThrowTheirPictures) {
 TEST(TracerLamps, PicturesEndAtTheirBorders) {
   Tracing t = plane();
   t.projectors = {{.name = {}, .width = 1, .height = 1, .rgba = {255, 255, 255, 255}}};
-  shading::GpuLight spot = lamp(shading::kLightSpot, {2.1f, 2.0f, 0.0f}, kDown, 0.0f);
+  shading::GpuLight spot = light(shading::kLightSpot, {2.1f, 2.0f, 0.0f}, kDown, 0.0f);
   spot.cone = {0.0f, 1.0f, 0.0f, shading::kFalloffInverseSquare};
   spot.projector = {1.0f, 0.0f, 0.0f, 1.0f};
   spot.projector_layer = 1;
-  t.lamps = {spot};
+  t.lights = {spot};
   EXPECT_EQ(t.run().radiance(), 0.0);
-  t.lamps[0].position_range.x = 1.9f;
+  t.lights[0].position_range.x = 1.9f;
   EXPECT_GT(t.run().radiance(), 0.1);
 }
 

@@ -43,12 +43,12 @@ double Traced::standard_error() const {
 }
 
 Traced Tracing::run() const {
-  const scene::Moment moment = scene::moment_at(scene, 0.0f, "");
+  const scene::SceneSnapshot snapshot = scene::snapshot_at(scene, 0.0f, "");
   const auto table = energy();
   auto result = reference::trace({.scene = scene,
-                                  .moment = moment,
+                                  .snapshot = snapshot,
                                   .camera = camera,
-                                  .lamps = lamps,
+                                  .lights = lights,
                                   .projectors = projectors,
                                   .environment = environment ? &*environment : nullptr,
                                   .energy = table,

@@ -28,8 +28,8 @@ struct Traced {
 struct Tracing {
   scene::Scene scene;
   scene::CameraInstance camera;
-  std::vector<shading::GpuLight> lamps = {};  // relative to the camera
-  std::vector<scene::Image> projectors = {};  // GpuLight::projector_layer counts them from 1
+  std::vector<shading::GpuLight> lights = {};  // relative to the camera
+  std::vector<scene::Image> projectors = {};   // GpuLight::projector_layer counts them from 1
   std::optional<image::FloatImage> environment = {};
   Settings settings = {};
   std::uint32_t size = 8;  // pixels a side

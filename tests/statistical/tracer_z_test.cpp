@@ -36,9 +36,9 @@ std::vector<Stored> stored_picture() {
 
 Tracing cornell() {
   Tracing t{.scene = scene::builtin_scene("cornell"), .camera = {}};
-  const scene::Moment moment = scene::moment_at(t.scene, 0.0f, "");
-  t.camera = scene::choose_camera(moment, "", 1.0f);
-  t.lamps = upload::gpu_lights(moment.lights, glm::dvec3(t.camera.world_from_view[3]), {});
+  const scene::SceneSnapshot snapshot = scene::snapshot_at(t.scene, 0.0f, "");
+  t.camera = scene::choose_camera(snapshot, "", 1.0f);
+  t.lights = upload::gpu_lights(snapshot.lights, glm::dvec3(t.camera.world_from_view[3]), {});
   t.settings.reference.spp = 2048;
   t.size = kSize;
   return t;

@@ -9,6 +9,6 @@ struct AreaLights {
 };
 
 TABLE(1, 22, AreaLightBuffer, AreaLights area_lights);
-CONSTANT(bool, kSphereHighlights, 11, false);  // some light has a size, and is mirrored as round as it is
+CONSTANT(bool, kAreaLights, 11, false);  // some light has a size, and is mirrored as round as it is
 
 #endif

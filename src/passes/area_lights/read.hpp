@@ -12,8 +12,8 @@ using namespace shading;
 
 // Lights of some size as lit points read them.
 struct Reading {
-  bool sphere_highlights = false;  // some light has a size, and is mirrored as round as it is
-  graph::GraphBuffer table;        // io::AreaLights
+  bool any = false;          // some light has a size, and is mirrored as round as it is
+  graph::GraphBuffer table;  // io::AreaLights
 };
 
 inline void declare(graph::Pass&, const Reading&, graph::Access) {}
@@ -21,7 +21,7 @@ inline void bind(graph::SetWriter& set, const Reading& in) {
   set.buffer(io::AreaLightBuffer, in.table);
 }
 inline void specialize(gpu::Specialization& constants, const Reading& in) {
-  constants.set(io::kSphereHighlights, in.sphere_highlights);
+  constants.set(io::kAreaLights, in.any);
 }
 
 }  // namespace velarium::area_lights

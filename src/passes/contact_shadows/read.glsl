@@ -3,7 +3,7 @@
 #define VEL_PASSES_CONTACT_SHADOWS_READ_GLSL
 
 #include "passes/contact_shadows/contact_shadows_io.glsl"
-#include "passes/gbuffer/read_depth.glsl"
+#include "passes/gbuffer/read_depth_buffer.glsl"
 #include "shading/contact_shadow.glsl"
 #include "shading/sampling.glsl"
 

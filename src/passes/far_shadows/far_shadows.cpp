@@ -87,13 +87,13 @@ int blur_radius(double deviation) {
 }
 
 Reading add(graph::Graph& graph, const Inputs& in) {
-  if (in.state.kind() == FarSun::off) return {};
+  if (in.state.kind() == FarShadow::off) return {};
   const bool draws = in.first && in.state.is_stale();
   // What is drawn is drawn whole, so that a new image counts as initialised.
   auto image = graph.import("far_shadows.map", in.state.image(), true);
-  if (draws && in.state.kind() == FarSun::vsm) image = add_moments(graph, in, image);
-  if (draws && in.state.kind() == FarSun::static_map)
-    image = add_depth(graph, in, image, upload::CasterChoice::still, in.settings.slope_bias);
+  if (draws && in.state.kind() == FarShadow::vsm) image = add_moments(graph, in, image);
+  if (draws && in.state.kind() == FarShadow::static_map)
+    image = add_depth(graph, in, image, upload::CasterChoice::static_only, in.settings.slope_bias);
   return {in.state.kind(), image, graph.upload("far_shadows.table", in.state.table())};
 }
 

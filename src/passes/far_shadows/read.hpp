@@ -11,15 +11,15 @@ using namespace shading;
 #include "passes/far_shadows/far_shadows_io.glsl"
 }  // namespace io
 
-static_assert(static_cast<std::uint32_t>(FarSun::off) == io::kNoFarShadow);
-static_assert(static_cast<std::uint32_t>(FarSun::vsm) == io::kFarVariance);
-static_assert(static_cast<std::uint32_t>(FarSun::static_map) == io::kFarStatic);
+static_assert(static_cast<std::uint32_t>(FarShadow::off) == io::kNoFarShadow);
+static_assert(static_cast<std::uint32_t>(FarShadow::vsm) == io::kFarVariance);
+static_assert(static_cast<std::uint32_t>(FarShadow::static_map) == io::kFarStatic);
 
 // The far map as lit points read it.
 struct Reading {
-  FarSun kind = FarSun::off;
+  FarShadow kind = FarShadow::off;
   graph::GraphImage map;     // vsm: two layers, mean and mean square of depth; static_map: depth. Version 0: off
-  graph::GraphBuffer table;  // io::FarShadow
+  graph::GraphBuffer table;  // io::FarCascade
 };
 
 inline void declare(graph::Pass& pass, const Reading& in, graph::Access access) {
@@ -27,8 +27,8 @@ inline void declare(graph::Pass& pass, const Reading& in, graph::Access access) 
 }
 inline void bind(graph::SetWriter& set, const Reading& in) {
   const graph::GraphImage none;
-  set.sampled(io::far_moments, in.kind == FarSun::vsm ? in.map : none)
-      .sampled(io::far_depths, in.kind == FarSun::static_map ? in.map : none)
+  set.sampled(io::far_moments, in.kind == FarShadow::vsm ? in.map : none)
+      .sampled(io::far_depths, in.kind == FarShadow::static_map ? in.map : none)
       .buffer(io::FarBuffer, in.table);
 }
 inline void specialize(gpu::Specialization& constants, const Reading& in) {

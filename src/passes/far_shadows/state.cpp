@@ -53,8 +53,8 @@ passes::SunMap fit_to(const glm::dmat3& axes, const passes::LightBox& casters, i
   return map;
 }
 
-FarSun possible_kind(FarSun wanted, const upload::CasterTable& casters) {
-  return wanted == FarSun::static_map && !upload::has_still(casters) ? FarSun::off : wanted;
+FarShadow possible_kind(FarShadow wanted, const upload::CasterTable& casters) {
+  return wanted == FarShadow::static_map && !upload::has_static(casters) ? FarShadow::off : wanted;
 }
 
 int possible_size(int wanted, std::uint32_t largest_image) {
@@ -98,7 +98,7 @@ void State::fit_moments(gpu::Device& device, const upload::Tables& tables, const
 
 void State::fit_static(gpu::Device& device, const upload::Tables& tables, const Settings& settings) {
   const glm::dmat3 axes = passes::sun_axes(tables);
-  const auto box = passes::light_box(axes, upload::bounds_of(tables.casters, upload::CasterChoice::still));
+  const auto box = passes::light_box(axes, upload::bounds_of(tables.casters, upload::CasterChoice::static_only));
   wanted_size_ = settings.static_size;
   const int size = possible_size(wanted_size_, device.caps().max_image_size);
   const auto map = fit_to(axes, box, size, passes::kGuardTexels);
@@ -115,29 +115,29 @@ void State::fit_static(gpu::Device& device, const upload::Tables& tables, const 
 }
 
 void State::prepare(gpu::Device& device, const upload::Tables& tables, bool wanted, const Settings& settings) {
-  const FarSun kind = wanted ? possible_kind(settings.kind, tables.casters) : FarSun::off;
-  if (settings.kind == FarSun::off || (!wanted && settings.update == MapUpdate::all)) *this = State();
+  const FarShadow kind = wanted ? possible_kind(settings.kind, tables.casters) : FarShadow::off;
+  if (settings.kind == FarShadow::off || (!wanted && settings.update == MapUpdate::all)) *this = State();
   kind_ = kind;
   table_ = {.normal_offset = settings.normal_offset, .snap = static_cast<float>(passes::vertex_snap(device))};
-  if (kind == FarSun::vsm) fit_moments(device, tables, settings);
-  if (kind == FarSun::static_map) fit_static(device, tables, settings);
+  if (kind == FarShadow::vsm) fit_moments(device, tables, settings);
+  if (kind == FarShadow::static_map) fit_static(device, tables, settings);
 }
 
 std::string State::note() const {
-  if (kind_ == FarSun::off || contents_.map.size >= wanted_size_) return {};
-  return fmt::format("the map of sun_shadows.far={} has {} texels a side, as images of this device can have no more",
-                     kind_ == FarSun::vsm ? "vsm" : "static_map", contents_.map.size);
+  if (kind_ == FarShadow::off || contents_.map.size >= wanted_size_) return {};
+  return fmt::format("the map of far_shadows.kind={} has {} texels a side, as images of this device can have no more",
+                     kind_ == FarShadow::vsm ? "vsm" : "static_map", contents_.map.size);
 }
 
 std::vector<MapMemory> State::memory() const {
   return {{"far_shadows.map", image_.bytes()}};
 }
 
-passes::MapDemand demand(FarSun kind, const Settings& settings) {
-  const bool is_static = kind == FarSun::static_map;
+passes::MapDemand demand(FarShadow kind, const Settings& settings) {
+  const bool is_static = kind == FarShadow::static_map;
   const std::uint64_t bytes = is_static ? kStaticBytes : kMomentBytes;
-  return {is_static ? "sun_shadows.static_size" : "sun_shadows.far_size",
-          is_static ? settings.static_size : settings.size, kind == FarSun::off ? 0 : bytes};
+  return {is_static ? "far_shadows.static_size" : "far_shadows.size", is_static ? settings.static_size : settings.size,
+          kind == FarShadow::off ? 0 : bytes};
 }
 
 }  // namespace velarium::far_shadows

@@ -14,7 +14,7 @@
 namespace velarium::far_shadows {
 
 struct Settings {
-  FarSun kind = FarSun::vsm;
+  FarShadow kind = FarShadow::vsm;
   int size = 2048, static_size = 8192;  // texels, of a map of moments and of a static one
   bool soft = true;
   float max_blocker_distance = 100.0f;  // metres
@@ -27,7 +27,7 @@ struct Settings {
 [[nodiscard]] passes::SunMap fit_to(const glm::dmat3& axes, const passes::LightBox& casters, int size, double guard);
 
 // `wanted`, but for a static map where all casters move: there is nothing to put into it.
-[[nodiscard]] FarSun possible_kind(FarSun wanted, const upload::CasterTable& casters);
+[[nodiscard]] FarShadow possible_kind(FarShadow wanted, const upload::CasterTable& casters);
 
 // `wanted`, halved until images may be as large.
 [[nodiscard]] int possible_size(int wanted, std::uint32_t largest_image);
@@ -40,7 +40,7 @@ class State {
   // the scene? Without, the map's memory is given back, but where pictures keep maps: the next view may want it again.
   void prepare(gpu::Device& device, const upload::Tables& tables, bool wanted, const Settings& settings);
 
-  [[nodiscard]] FarSun kind() const { return kind_; }
+  [[nodiscard]] FarShadow kind() const { return kind_; }
   // A sentence where the map has fewer texels than the settings ask for, as the device's images are no larger.
   [[nodiscard]] std::string note() const;
   // Is it to be drawn in the first frame of this picture?
@@ -49,7 +49,7 @@ class State {
   [[nodiscard]] gpu::Image& image() { return image_; }
   [[nodiscard]] const passes::SunMap& map() const { return contents_.map; }
   [[nodiscard]] float blur_deviation() const { return contents_.blur_deviation; }  // texels
-  [[nodiscard]] const io::FarShadow& table() const { return table_; }
+  [[nodiscard]] const io::FarCascade& table() const { return table_; }
   [[nodiscard]] std::vector<MapMemory> memory() const;
 
  private:
@@ -65,16 +65,16 @@ class State {
   void fit_static(gpu::Device& device, const upload::Tables& tables, const Settings& settings);
   void allocate(gpu::Device& device, const gpu::ImageDesc& desc, VkImageUsageFlags usage);
 
-  FarSun kind_ = FarSun::off;
+  FarShadow kind_ = FarShadow::off;
   bool stale_ = false;
   int age_ = 0;          // pictures since it was drawn
   int wanted_size_ = 0;  // texels
   Contents contents_;
-  io::FarShadow table_{};
+  io::FarCascade table_{};
   gpu::Image image_;
 };
 
 // kind: possible_kind(), or off where the cascades hold all that is seen.
-[[nodiscard]] passes::MapDemand demand(FarSun kind, const Settings& settings);
+[[nodiscard]] passes::MapDemand demand(FarShadow kind, const Settings& settings);
 
 }  // namespace velarium::far_shadows

@@ -2,7 +2,7 @@
 #ifndef VEL_PASSES_GBUFFER_READ_GLSL
 #define VEL_PASSES_GBUFFER_READ_GLSL
 
-#include "passes/gbuffer/read_depth.glsl"
+#include "passes/gbuffer/read_depth_buffer.glsl"
 #include "passes/gbuffer/read_geometric_normal.glsl"
 #include "passes/illumination.glsl"
 #include "shading/gbuffer.glsl"

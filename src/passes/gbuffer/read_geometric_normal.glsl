@@ -2,7 +2,7 @@
 #ifndef VEL_PASSES_GBUFFER_READ_GEOMETRIC_NORMAL_GLSL
 #define VEL_PASSES_GBUFFER_READ_GEOMETRIC_NORMAL_GLSL
 
-#include "passes/gbuffer/read_depth.glsl"
+#include "passes/gbuffer/read_depth_buffer.glsl"
 
 // Device depth is linear across the picture on every plane. The next pixel belongs to this one's plane as far as the line
 // through it and the one after leads here; where that one was not drawn, the line is level.

@@ -72,7 +72,7 @@ graph::GraphImage add_translucency(graph::Graph& graph, const Inputs& in, graph:
 }
 
 std::uint32_t taps_of(const Inputs& in) {
-  return upload::any_sized(in.tables.lights) ? static_cast<std::uint32_t>(in.settings.taps) : 1;
+  return upload::any_area_light(in.tables.lights) ? static_cast<std::uint32_t>(in.settings.taps) : 1;
 }
 
 }  // namespace

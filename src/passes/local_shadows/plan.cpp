@@ -61,10 +61,10 @@ std::vector<PlacedView> place_views(const std::vector<View>& views, const Settin
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
   std::vector<PlacedView> placed(views.size());
-  TileRoom room(atlas_side(settings));
+  AtlasAllocator allocator(atlas_side(settings));
   for (const std::size_t i : order) {
     placed[i].view = views[i];
-    if (sizes[i] > 0) placed[i].tile = room.take(sizes[i]);
+    if (sizes[i] > 0) placed[i].tile = allocator.allocate(sizes[i]);
   }
   return placed;
 }

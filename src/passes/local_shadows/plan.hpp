@@ -2,7 +2,7 @@
 
 // From lights to maps: which views are drawn, where in the atlas, and how shaders find them.
 
-#include "passes/local_shadows/tiles.hpp"
+#include "passes/local_shadows/atlas_allocator.hpp"
 #include "passes/local_shadows/views.hpp"
 
 #include "shading/host.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "passes/local_shadows/keeper.hpp"
+#include "passes/local_shadows/shadow_cache.hpp"
 #include "passes/map_demand.hpp"
 
 #include <velarium/engine.hpp>
@@ -17,7 +17,7 @@ struct State {
   std::vector<shading::ShadowView> views;
   std::vector<std::uint32_t> first_view;  // by light: 1 + its first of `views`, 0: it has no map
   std::vector<MapDraw> draws;             // that this picture needs
-  MapKeeper keeper;                       // of what the atlas holds, where settings.updates bounds the draws
+  ShadowCache keeper;                     // of what the atlas holds, where settings.updates bounds the draws
   std::uint64_t scene_id = 0;             // of what the keeper speaks of
   std::uint32_t without_map = 0;          // lights that should have a map and have none
 

@@ -3,7 +3,7 @@
 // What the maps of lights look at, and how large they should be. Pure functions: places relative to the origin
 // (upload::Tables).
 
-#include "passes/local_shadows/coverage.hpp"
+#include "passes/local_shadows/screen_coverage.hpp"
 #include "upload/view.hpp"
 
 #include <velarium/settings.hpp>

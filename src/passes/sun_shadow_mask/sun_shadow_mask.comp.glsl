@@ -6,7 +6,7 @@
 // shadow mask]. What the sun cannot light anyway is left at 0: the sky, and surfaces that face away.
 
 #include "passes/contact_shadows/read.glsl"
-#include "passes/gbuffer/read_depth.glsl"
+#include "passes/gbuffer/read_depth_buffer.glsl"
 #include "passes/gbuffer/read_geometric_normal.glsl"
 #include "passes/illumination.glsl"
 #include "passes/sun_shadow_mask/sun_shadow_mask_out_io.glsl"

@@ -70,9 +70,9 @@ void leave_to_static_map(Served& served) {
   served.whole = false;
 }
 
-Served serve(const upload::Tables& tables, const View& view, const Settings& settings) {
+Served serve(const upload::Tables& tables, const View& view, const Settings& settings, bool static_map) {
   auto served = served_spheres(view, sphere_around(upload::bounds_of(tables.casters)), settings);
-  if (settings.far == FarSun::static_map && upload::has_still(tables.casters)) leave_to_static_map(served);
+  if (static_map) leave_to_static_map(served);
   return served;
 }
 
@@ -82,21 +82,22 @@ bool wants_maps(const upload::Tables& tables, const Settings& settings) {
 
 }  // namespace
 
-Demand demand(const upload::Tables& tables, const upload::ViewMatrices& view, const Settings& settings) {
+Demand demand(const upload::Tables& tables, const upload::ViewMatrices& view, const Settings& settings,
+              bool static_map) {
   if (!wants_maps(tables, settings)) return {.maps = {"sun_shadows.size", settings.size}};
-  const auto served = serve(tables, fit_view(view), settings);
+  const auto served = serve(tables, fit_view(view), settings, static_map);
   const bool translucent = settings.translucent && upload::has_translucent(tables.casters);
   const std::uint64_t texel = kDepthBytes + (translucent ? kTranslucencyBytes : 0);
   return {{"sun_shadows.size", settings.size, served.spheres.size() * texel}, true, served.whole};
 }
 
 // There is a sun that casts shadows.
-void State::fit_all(const upload::Tables& tables, const View& view, const Settings& settings) {
+void State::fit_all(const upload::Tables& tables, const View& view, const Settings& settings, bool static_map) {
   const glm::dmat3 axes = passes::sun_axes(tables);
   MapLimits limits{.scene = passes::light_box(axes, upload::bounds_of(tables.casters)), .size = settings.size};
-  limits.blocker_distance = passes::blocker_distance(limits.scene, static_cast<double>(settings.reach));
+  limits.blocker_distance = passes::blocker_distance(limits.scene, static_cast<double>(settings.max_blocker_distance));
 
-  const auto served = serve(tables, view, settings);
+  const auto served = serve(tables, view, settings, static_map);
   hold_scene_ = served.whole;
   const auto& spheres = served.spheres;
   const bool translucent = settings.translucent && upload::has_translucent(tables.casters);
@@ -137,7 +138,7 @@ void State::note_translucency(const upload::CasterTable& casters) {
 }
 
 void State::prepare(gpu::Device& device, const upload::Tables& tables, const upload::ViewMatrices& view,
-                    const Settings& settings) {
+                    const Settings& settings, bool static_map) {
   stale_.clear();
   table_ = {};
   if (!wants_maps(tables, settings)) {
@@ -148,7 +149,7 @@ void State::prepare(gpu::Device& device, const upload::Tables& tables, const upl
   if (size > device.caps().max_image_size)
     throw Error(ErrorCode::usage, fmt::format("sun_shadows.size {} is more than this device's images have, {}", size,
                                               device.caps().max_image_size));
-  fit_all(tables, fit_view(view), settings);
+  fit_all(tables, fit_view(view), settings, static_map);
   table_.axis_x.w = static_cast<float>(passes::vertex_snap(device));
   allocate(device, size);
 }

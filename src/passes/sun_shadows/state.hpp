@@ -18,10 +18,11 @@ using Settings = velarium::Settings::sun_shadows_settings;
 // picture has no sun that casts shadows, or wants none.
 class State {
  public:
-  // Fits maps to a picture, before its first frame. Throws Error(usage) where the device has no images of
+  // Fits maps to a picture, before its first frame. static_map: does one hold all that never moves, and take the place
+  // of the last cascades? Throws Error(usage) where the device has no images of
   // settings.size.
   void prepare(gpu::Device& device, const upload::Tables& tables, const upload::ViewMatrices& view,
-               const Settings& settings);
+               const Settings& settings, bool static_map);
 
   [[nodiscard]] bool empty() const { return maps_.empty(); }
   // Is every surface that can be seen in one of the maps? Else a far map has to help.
@@ -51,7 +52,7 @@ class State {
     bool translucent = false;
     bool operator==(const Shared&) const = default;
   };
-  void fit_all(const upload::Tables& tables, const View& view, const Settings& settings);
+  void fit_all(const upload::Tables& tables, const View& view, const Settings& settings, bool static_map);
   void allocate(gpu::Device& device, std::uint32_t size);
   void note_translucency(const upload::CasterTable& casters);
 
@@ -70,6 +71,7 @@ struct Demand {
   bool any = false;
   bool whole = true;  // as State::hold_scene()
 };
-[[nodiscard]] Demand demand(const upload::Tables& tables, const upload::ViewMatrices& view, const Settings& settings);
+[[nodiscard]] Demand demand(const upload::Tables& tables, const upload::ViewMatrices& view, const Settings& settings,
+                            bool static_map);
 
 }  // namespace velarium::sun_shadows

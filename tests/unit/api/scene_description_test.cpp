@@ -1,7 +1,7 @@
 // What Scene::make() refuses, with what words, and what it makes of the rest.
 #include <velarium/scene.hpp>
 
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include <velarium/error.hpp>
 
@@ -150,7 +150,7 @@ TEST(SceneDescription, RefusesLights) {
       {"lights[1].intensity is -1, must not be negative", light(1, [](auto& l) { l.intensity = -1; })},
       {"lights[1].range_m is -1, must not be negative", light(1, [](auto& l) { l.range_m = -1; })},
       {"lights[1].radius_m is -1, must not be negative", light(1, [](auto& l) { l.radius_m = -1; })},
-      {"lights[1].angular_radius_deg belongs to a lamp, which has a radius_m",
+      {"lights[1].angular_radius_deg belongs to a light, which has a radius_m",
        light(1, [](auto& l) { l.angular_radius_deg = 1; })},
       {"lights[1].falloff is that of a bulb, which needs a radius_m", light(1,
                                                                             [](auto& l) {
@@ -233,27 +233,27 @@ TEST(SceneDescription, PlacesLightsAndCamerasAsTheirParentsStand) {
   description.lights[1].direction = {0, 0, -3};
   description.cameras[0].parent = 0;
   const Scene scene = Scene::make(description);
-  const scene::Moment moment = scene::moment_at(scene.tables(), 0.0f, "");
-  EXPECT_EQ(moment.lights[1].position, glm::vec3(1, 2, 2));
-  EXPECT_LT(glm::length(moment.lights[0].direction - glm::vec3(0, -1, 0)), 1e-6f);
-  EXPECT_LT(glm::length(moment.lights[1].direction - glm::vec3(0, 0, -1)), 1e-6f);
-  EXPECT_EQ(glm::vec3(moment.cameras[0].world_from_view[3]), glm::vec3(0, 0, 4));
+  const scene::SceneSnapshot snapshot = scene::snapshot_at(scene.tables(), 0.0f, "");
+  EXPECT_EQ(snapshot.lights[1].position, glm::vec3(1, 2, 2));
+  EXPECT_LT(glm::length(snapshot.lights[0].direction - glm::vec3(0, -1, 0)), 1e-6f);
+  EXPECT_LT(glm::length(snapshot.lights[1].direction - glm::vec3(0, 0, -1)), 1e-6f);
+  EXPECT_EQ(glm::vec3(snapshot.cameras[0].world_from_view[3]), glm::vec3(0, 0, 4));
 }
 
 TEST(SceneDescription, CamerasSeeAsLookAtDoes) {
   const Scene scene = Scene::make(complete());
-  const scene::Moment moment = scene::moment_at(scene.tables(), 0.0f, "");
+  const scene::SceneSnapshot snapshot = scene::snapshot_at(scene.tables(), 0.0f, "");
   const auto wanted = scene::look_at_camera({0, 9, 0}, {0, 0, 0}, {0, 0, -1}, 1.0f);
-  EXPECT_EQ(moment.cameras[1].world_from_view, wanted.world_from_view);
-  EXPECT_EQ(moment.cameras[1].camera.half_size, glm::vec2(2, 2));
-  EXPECT_EQ(moment.cameras[1].camera.z_far, 20.0f);
-  EXPECT_FLOAT_EQ(moment.cameras[0].camera.vertical_fov, 0.7853982f);
+  EXPECT_EQ(snapshot.cameras[1].world_from_view, wanted.world_from_view);
+  EXPECT_EQ(snapshot.cameras[1].camera.half_size, glm::vec2(2, 2));
+  EXPECT_EQ(snapshot.cameras[1].camera.z_far, 20.0f);
+  EXPECT_FLOAT_EQ(snapshot.cameras[0].camera.vertical_fov, 0.7853982f);
 }
 
 TEST(SceneDescription, MakesUpForWhatIsLeftOut) {
   const Scene scene = Scene::make({.meshes = {{.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}}}}});
-  const scene::Moment moment = scene::moment_at(scene.tables(), 0.0f, "");
-  ASSERT_EQ(moment.instances.size(), 1u);  // no node: the mesh stands once
+  const scene::SceneSnapshot snapshot = scene::snapshot_at(scene.tables(), 0.0f, "");
+  ASSERT_EQ(snapshot.instances.size(), 1u);  // no node: the mesh stands once
   const scene::Primitive& primitive = scene.tables().primitives.front();
   EXPECT_EQ(primitive.vertices.normals, std::vector<glm::vec3>(3, {0, 1, 0}));
   EXPECT_EQ(primitive.indices, (std::vector<std::uint32_t>{0, 1, 2}));
@@ -269,9 +269,9 @@ TEST(SceneDescription, MatricesAndColorsArriveAsTheyAre) {
   SceneDescription description = complete();
   description.nodes[1].matrix = {{2, 0, 0, 0, 0, 3, 0, 0, 0, 0, 4, 0, 5, 6, 7, 1}};  // the translation stands last
   const Scene scene = Scene::make(description);
-  const scene::Moment moment = scene::moment_at(scene.tables(), 0.0f, "");
-  EXPECT_EQ(moment.bounds.min, glm::vec3(5, 6, 6));
-  EXPECT_EQ(moment.bounds.max, glm::vec3(7, 9, 6));
+  const scene::SceneSnapshot snapshot = scene::snapshot_at(scene.tables(), 0.0f, "");
+  EXPECT_EQ(snapshot.bounds.min, glm::vec3(5, 6, 6));
+  EXPECT_EQ(snapshot.bounds.max, glm::vec3(7, 9, 6));
   EXPECT_EQ(scene.tables().primitives.front().colors[2], glm::vec4(0, 1, 1, 0.5f));
 }
 

@@ -45,7 +45,7 @@ TEST(Irradiance, CosineSkyHasClosedForm) {
   EXPECT_NEAR(bake::irradiance(image, {0, -1, 0}).x, 0.0f, 1e-3f);
 }
 
-// A lamp at +X, a quarter of the way around from -Z: only faces that see it are lit, by its cosine.
+// A light at +X, a quarter of the way around from -Z: only faces that see it are lit, by its cosine.
 TEST(Irradiance, CubeIsOrientedAsDirectionsAre) {
   const auto image = make(512, 256, [](const glm::vec3& d) { return glm::vec3(d.x > 0.99f ? 100.0f : 0.0f); });
   const std::uint32_t size = 8;

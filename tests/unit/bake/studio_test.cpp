@@ -66,7 +66,7 @@ TEST_F(Studio, LightsAMattObjectWell) {
 }
 
 TEST_F(Studio, EdgesAreNoStaircases) {
-  // Half of a lamp's brightness is the most that two neighbouring pixels may differ by.
+  // Half of a light's brightness is the most that two neighbouring pixels may differ by.
   const auto& picture = image();
   for (std::uint32_t y = 1; y < picture.height; ++y)
     for (std::uint32_t x = 1; x < picture.width; ++x) {

@@ -37,7 +37,7 @@ TEST(ShadowMemory, IsTexelsTimesBytes) {
 
 TEST(ShadowMemory, DefaultsFit) {
   const Settings settings;
-  const std::vector<passes::MapDemand> demands{{"", settings.sun_shadows.static_size, 2},
+  const std::vector<passes::MapDemand> demands{{"", settings.far_shadows.static_size, 2},
                                                {"", settings.local_shadows.atlas, 12},
                                                {"", settings.sun_shadows.size, 4 * 12}};
   EXPECT_EQ(fit_to_budget(demands, std::uint64_t{4} * 3840 * 2160, settings.shadows.memory).note, "");

@@ -1,4 +1,4 @@
-#include "passes/local_shadows/keeper.hpp"
+#include "passes/local_shadows/shadow_cache.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ class ShadowKeeper : public ::testing::Test {
     return false;
   }
 
-  MapKeeper keeper_;
+  ShadowCache keeper_;
   Settings settings_{};
   std::vector<PlacedView> placed_;
 };

@@ -1,4 +1,4 @@
-#include "passes/local_shadows/tiles.hpp"
+#include "passes/local_shadows/atlas_allocator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -45,36 +45,36 @@ std::vector<std::uint32_t> sizes_that_fill() {
 TEST(ShadowTiles, AreasThatFitFindPlacesWithoutOverlap) {
   const auto sizes = sizes_that_fill();
   ASSERT_EQ(total_area(sizes), 2048u * 2048u);
-  TileRoom room(2048);
+  AtlasAllocator allocator(2048);
   Squares squares(2048, 32);
   for (const std::uint32_t size : sizes) {
-    const auto tile = room.take(size);
+    const auto tile = allocator.allocate(size);
     ASSERT_TRUE(tile);
     EXPECT_EQ(tile->size, size);
     EXPECT_EQ(tile->x % size, 0u);
     EXPECT_EQ(tile->y % size, 0u);
     ASSERT_TRUE(squares.mark(*tile));
   }
-  EXPECT_FALSE(room.take(32));
+  EXPECT_FALSE(allocator.allocate(32));
 }
 
 TEST(ShadowTiles, WhatIsGivenBackJoinsToTheWhole) {
-  TileRoom room(1024);
+  AtlasAllocator allocator(1024);
   std::vector<Tile> tiles;
-  while (const auto tile = room.take(64)) tiles.push_back(*tile);
+  while (const auto tile = allocator.allocate(64)) tiles.push_back(*tile);
   EXPECT_EQ(tiles.size(), 256u);
   // In an order of their own.
-  for (std::size_t i = 0; i < tiles.size(); ++i) room.give_back(tiles[i * 37 % tiles.size()]);
-  EXPECT_TRUE(room.take(1024));
+  for (std::size_t i = 0; i < tiles.size(); ++i) allocator.free(tiles[i * 37 % tiles.size()]);
+  EXPECT_TRUE(allocator.allocate(1024));
 }
 
 TEST(ShadowTiles, APlaceGivenBackIsTakenAgain) {
-  TileRoom room(256);
-  const auto a = room.take(128), b = room.take(128);
+  AtlasAllocator allocator(256);
+  const auto a = allocator.allocate(128), b = allocator.allocate(128);
   ASSERT_TRUE(a && b);
-  room.give_back(*a);
-  EXPECT_EQ(room.take(128), a);
-  EXPECT_FALSE(room.take(512));
+  allocator.free(*a);
+  EXPECT_EQ(allocator.allocate(128), a);
+  EXPECT_FALSE(allocator.allocate(512));
 }
 
 TEST(ShadowTiles, SizesStayWhereTheyFit) {
@@ -83,7 +83,7 @@ TEST(ShadowTiles, SizesStayWhereTheyFit) {
 }
 
 TEST(ShadowTiles, LeastImportantLightsShrinkFirst) {
-  // Five of 1024^2 where there is room for four: the least important one alone is halved, then all are not enough.
+  // Five of 1024^2 where there is allocator for four: the least important one alone is halved, then all are not enough.
   const std::vector<WantedTile> wanted{{0, 1024, 5.0}, {1, 1024, 1.0}, {2, 1024, 4.0}, {3, 1024, 3.0}, {4, 1024, 2.0}};
   const auto sizes = fitting_sizes(wanted, 2048, 32);
   EXPECT_EQ(sizes, (std::vector<std::uint32_t>{1024, 512, 1024, 1024, 512}));
@@ -115,11 +115,11 @@ TEST(ShadowTiles, AFullAtlasTakesShadowsFromTheLeastImportant) {
     (sizes[i] > 0 ? least_kept : most_dropped) =
         sizes[i] > 0 ? std::min(least_kept, wanted[i].importance) : std::max(most_dropped, wanted[i].importance);
   EXPECT_GT(least_kept, most_dropped);
-  TileRoom room(4096);
+  AtlasAllocator allocator(4096);
   Squares squares(4096, 32);
   for (const std::uint32_t size : sizes)
     if (size > 0) {
-      const auto tile = room.take(size);
+      const auto tile = allocator.allocate(size);
       ASSERT_TRUE(tile);
       ASSERT_TRUE(squares.mark(*tile));
     }

@@ -278,11 +278,11 @@ TEST(ShadowPlan, ALightWithoutRoomShinesThrough) {
   EXPECT_EQ(plan.views.size(), 60u);
 }
 
-// A lamp of 0.1 m, two metres above a floor.
+// A light of 0.1 m, two metres above a floor.
 View over_floor(const upload::CasterTable& table) {
-  GpuLight lamp = point({0, 0, -10});
-  lamp.color.w = 0.1f;
-  return views_of(lamp, table).front();
+  GpuLight light = point({0, 0, -10});
+  light.color.w = 0.1f;
+  return views_of(light, table).front();
 }
 
 // The kernel is a sixteenth or a multiple of it, half as wide again as R / distance at least.

@@ -74,9 +74,9 @@ TEST(Tracer, GlowThatLightsNothingIsSeen) {
   const std::size_t middle = 4 * (8 * 16 + 8), corner = 4 * (1 * 16 + 1);
   for (const auto transport : {velarium::Transport::direct, velarium::Transport::full}) {
     t.settings.reference.transport = transport;
-    t.settings.reference.glow = true;
+    t.settings.reference.emissive_lighting = true;
     const auto lit = t.run().film.beauty();
-    t.settings.reference.glow = false;
+    t.settings.reference.emissive_lighting = false;
     const auto seen = t.run().film.beauty();
     EXPECT_EQ(seen[middle], 3.0f);
     EXPECT_EQ(lit[middle], 3.0f);
@@ -146,11 +146,11 @@ TEST(Tracer, CamerasSeeThroughBacksThatShadowsKeep) {
   builder.place_mesh(builder.add_mesh("upper", statistical::square(50.0f, 0.0f, true), white), glm::vec3(0.0f));
   builder.place_mesh(builder.add_mesh("lower", statistical::square(50.0f, -3.0f, true), white), glm::vec3(0.0f));
   t.scene = std::move(builder).take();
-  t.lamps = {{.position_range = {0.0f, 3.0f, 0.0f, 0.0f},
-              .direction = {0.0f, -1.0f, 0.0f, shading::kLightPoint},
-              .color = glm::vec4(100.0f, 100.0f, 100.0f, 0.0f),
-              .cone = {},
-              .flags = shading::kLightCastsShadow}};
+  t.lights = {{.position_range = {0.0f, 3.0f, 0.0f, 0.0f},
+               .direction = {0.0f, -1.0f, 0.0f, shading::kLightPoint},
+               .color = glm::vec4(100.0f, 100.0f, 100.0f, 0.0f),
+               .cone = {},
+               .flags = shading::kLightCastsShadow}};
   t.settings.reference.spp = 2;
   t.settings.reference.max_bounces = 0;
   EXPECT_EQ(t.run().radiance(), 0.0);  // shadowed by a surface that faces away from the shadow ray

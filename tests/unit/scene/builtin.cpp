@@ -2,7 +2,7 @@
 
 #include <velarium/error.hpp>
 
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -99,34 +99,34 @@ TEST(Builtin, FurnaceIsWhiteAndHasNothingButSpheres) {
 
 TEST(Builtin, CornellWallsFaceInAndTheLampHasTheFluxOfItsArea) {
   const Scene scene = builtin_scene("cornell");
-  const Moment moment = moment_at(scene, 0, "");
-  const glm::vec3 center = 0.5f * (moment.bounds.min + moment.bounds.max);
+  const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
+  const glm::vec3 center = 0.5f * (snapshot.bounds.min + snapshot.bounds.max);
   std::size_t walls = 0;
-  for (const Instance& instance : moment.instances) {
+  for (const Instance& instance : snapshot.instances) {
     const Primitive& p = scene.primitives[instance.primitive];
     if (p.vertex_count() != 4) continue;
     ++walls;
     EXPECT_GT(glm::dot(p.vertices.normals[0], center - p.vertices.positions[0]), 0.0f)
         << scene.nodes[instance.node].name;
   }
-  EXPECT_EQ(walls, 6u);  // five walls and the lamp
-  ASSERT_EQ(moment.lights.size(), 1u);
-  const Light& lamp = moment.lights[0].light;
-  EXPECT_LT(glm::length(moment.lights[0].direction - glm::vec3(0, -1, 0)), 1e-5f);
+  EXPECT_EQ(walls, 6u);  // five walls and the light
+  ASSERT_EQ(snapshot.lights.size(), 1u);
+  const Light& light = snapshot.lights[0].light;
+  EXPECT_LT(glm::length(snapshot.lights[0].direction - glm::vec3(0, -1, 0)), 1e-5f);
   const double lamp_flux = glm::pi<double>() * 17 * 1.30 * 1.05;
-  EXPECT_NEAR(lamp.intensity * 2 * glm::pi<double>() / 3, lamp_flux, 1e-3);
+  EXPECT_NEAR(light.intensity * 2 * glm::pi<double>() / 3, lamp_flux, 1e-3);
 }
 
 TEST(Builtin, EveryCameraSeesTheWholeScene) {
   constexpr float kAspect = 1.0f;
   for (const std::string& name : kPlainScenes) {
     const Scene scene = builtin_scene(name);
-    const Moment moment = moment_at(scene, 0, "");
-    ASSERT_EQ(moment.cameras.size(), 1u);
+    const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
+    ASSERT_EQ(snapshot.cameras.size(), 1u);
     const glm::mat4 clip_from_world =
-        clip_from_view(moment.cameras[0].camera, kAspect) * glm::inverse(moment.cameras[0].world_from_view);
+        clip_from_view(snapshot.cameras[0].camera, kAspect) * glm::inverse(snapshot.cameras[0].world_from_view);
     glm::vec3 low(1e9f), high(-1e9f);
-    for (const Instance& instance : moment.instances) {
+    for (const Instance& instance : snapshot.instances) {
       for (const glm::vec3& q : scene.primitives[instance.primitive].vertices.positions) {
         const glm::vec4 clip = clip_from_world * instance.world_from_object * glm::vec4(q, 1);
         ASSERT_GT(clip.w, 0.0f);

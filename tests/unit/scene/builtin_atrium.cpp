@@ -1,5 +1,5 @@
 #include "scene/builtin.hpp"
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -32,15 +32,15 @@ class Atrium : public ::testing::Test {
 };
 
 TEST_F(Atrium, IsAsLargeAsPromised) {
-  const Moment moment = moment_at(scene(), 0, "");
+  const SceneSnapshot snapshot = snapshot_at(scene(), 0, "");
   std::size_t triangles = 0;
-  for (const Instance& instance : moment.instances)
+  for (const Instance& instance : snapshot.instances)
     triangles += scene().primitives[instance.primitive].indices.size() / 3;
   EXPECT_GE(triangles, 150'000u);
   EXPECT_LE(triangles, 400'000u);
   EXPECT_LE(scene().materials.size(), 26u);
   // The court is 16 m by 12 m between its columns; walks 3 m wide and roofs lie around it.
-  const glm::vec3 size = moment.bounds.max - moment.bounds.min;
+  const glm::vec3 size = snapshot.bounds.max - snapshot.bounds.min;
   EXPECT_NEAR(size.x, 12 + 2 * 3.3f, 0.3f);
   EXPECT_NEAR(size.z, 16 + 2 * 3.3f, 0.3f);
 }
@@ -54,11 +54,11 @@ TEST_F(Atrium, HasItsTorchesItsCamerasAndItsSky) {
     EXPECT_EQ(light.radius, 0.0f);
     EXPECT_GT(light.color.r, light.color.b);
   }
-  const Moment moment = moment_at(scene(), 0, "");
-  ASSERT_EQ(moment.cameras.size(), 3u);
-  EXPECT_EQ(moment.cameras[0].camera.name, "entrance");
-  EXPECT_EQ(moment.cameras[1].camera.name, "pool");
-  EXPECT_EQ(moment.cameras[2].camera.name, "walk");
+  const SceneSnapshot snapshot = snapshot_at(scene(), 0, "");
+  ASSERT_EQ(snapshot.cameras.size(), 3u);
+  EXPECT_EQ(snapshot.cameras[0].camera.name, "entrance");
+  EXPECT_EQ(snapshot.cameras[1].camera.name, "pool");
+  EXPECT_EQ(snapshot.cameras[2].camera.name, "walk");
   EXPECT_EQ(scene().environment, "sky");
 }
 

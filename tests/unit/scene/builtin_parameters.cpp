@@ -2,7 +2,7 @@
 
 #include <velarium/error.hpp>
 
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 std::uint64_t triangles_of(const Scene& scene, const std::string& mesh_name) {
   std::uint64_t count = 0;
-  for (const Instance& instance : moment_at(scene, 0, "").instances) {
+  for (const Instance& instance : snapshot_at(scene, 0, "").instances) {
     const auto mesh = static_cast<std::size_t>(scene.nodes[instance.node].mesh);
     if (scene.meshes[mesh].name == mesh_name) count += scene.primitives[instance.primitive].indices.size() / 3;
   }
@@ -106,7 +106,7 @@ TEST(BuiltinParameters, BoxesHaveTheLightThatIsAskedFor) {
     EXPECT_EQ(scene.lights[0].radius, sun ? 0.0f : 0.25f) << name;
     EXPECT_EQ(scene.lights[0].angular_radius, sun ? 0.25f : 0.0f) << name;
     EXPECT_EQ(scene.environment, "none");
-    EXPECT_LT(moment_at(scene, 0, "").lights[0].direction.y, -0.1f) << name;
+    EXPECT_LT(snapshot_at(scene, 0, "").lights[0].direction.y, -0.1f) << name;
   }
   EXPECT_EQ(builtin_scene("boxes").lights[0].radius, 0.0f);
   EXPECT_EQ(triangles_of(builtin_scene("boxes"), "sheet"), 2u);
@@ -119,13 +119,13 @@ TEST(BuiltinParameters, LampsHaveThePowerOfTheTorches) {
   for (const unsigned count : {16u, 1024u}) {
     const Scene scene = builtin_scene("atrium?sun=off&lights=" + std::to_string(count));
     ASSERT_EQ(scene.lights.size(), count);
-    double lamps = 0;
-    for (const Light& light : scene.lights) lamps += flux(light);
-    EXPECT_NEAR(lamps, torches, 1e-3 * torches);
-    for (const LightInstance& lamp : moment_at(scene, 0, "").lights) {
-      EXPECT_LT(std::abs(lamp.position.x), 9.0f);
-      EXPECT_LT(std::abs(lamp.position.z), 11.0f);
-      EXPECT_LT(lamp.position.y, 4.25f);
+    double lights = 0;
+    for (const Light& light : scene.lights) lights += flux(light);
+    EXPECT_NEAR(lights, torches, 1e-3 * torches);
+    for (const LightInstance& light : snapshot_at(scene, 0, "").lights) {
+      EXPECT_LT(std::abs(light.position.x), 9.0f);
+      EXPECT_LT(std::abs(light.position.z), 11.0f);
+      EXPECT_LT(light.position.y, 4.25f);
     }
   }
   EXPECT_TRUE(builtin_scene("atrium?sun=off&lights=0").lights.empty());
@@ -136,7 +136,7 @@ TEST(BuiltinParameters, KnotsAreAsManyAsAskedAndCoverOneDisc) {
     const Scene scene = builtin_scene("knots?instances=" + std::to_string(count));
     EXPECT_EQ(scene.meshes.size(), 2u);
     EXPECT_EQ(triangles_of(scene, "knot"), 1152u * count);
-    for (const Instance& instance : moment_at(scene, 0, "").instances) {
+    for (const Instance& instance : snapshot_at(scene, 0, "").instances) {
       EXPECT_GE(instance.bounds.min.y, -1e-4f);
       EXPECT_LT(glm::length(glm::vec2(instance.world_from_object[3].x, instance.world_from_object[3].z)), 3.01f);
     }
@@ -168,7 +168,7 @@ TEST(BuiltinParameters, TerrainHasItsTrianglesWithinAHundredth) {
 }
 
 TEST(BuiltinParameters, TerrainIsTheSameLandWithMoreDetail) {
-  const auto peak = [](const char* name) { return moment_at(builtin_scene(name), 0, "").bounds.max.y; };
+  const auto peak = [](const char* name) { return snapshot_at(builtin_scene(name), 0, "").bounds.max.y; };
   const float coarse = peak("terrain?triangles=10000"), fine = peak("terrain?triangles=400000");
   EXPECT_GT(coarse, 200.0f);
   EXPECT_NEAR(coarse, fine, 0.25f * fine);

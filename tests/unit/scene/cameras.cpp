@@ -1,4 +1,4 @@
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include "expect_near.hpp"
 
@@ -149,18 +149,18 @@ TEST(FittedCamera, ServesScenesOfNoOrInfiniteExtent) {
 }
 
 TEST(ChooseCamera, ByNameThenIndexElseFirstElseFitted) {
-  Moment moment;
-  moment.bounds = {glm::vec3(-1), glm::vec3(1)};
-  EXPECT_EQ(choose_camera(moment, "", 1).camera.name, "auto");
-  moment.cameras.resize(2);
-  moment.cameras[0].camera.name = "front";
-  moment.cameras[1].camera.name = "back";
-  EXPECT_EQ(choose_camera(moment, "", 1).camera.name, "front");
-  EXPECT_EQ(choose_camera(moment, "back", 1).camera.name, "back");
-  EXPECT_EQ(choose_camera(moment, "1", 1).camera.name, "back");
-  EXPECT_EQ(choose_camera(moment, "auto", 1).camera.name, "auto");
+  SceneSnapshot snapshot;
+  snapshot.bounds = {glm::vec3(-1), glm::vec3(1)};
+  EXPECT_EQ(choose_camera(snapshot, "", 1).camera.name, "auto");
+  snapshot.cameras.resize(2);
+  snapshot.cameras[0].camera.name = "front";
+  snapshot.cameras[1].camera.name = "back";
+  EXPECT_EQ(choose_camera(snapshot, "", 1).camera.name, "front");
+  EXPECT_EQ(choose_camera(snapshot, "back", 1).camera.name, "back");
+  EXPECT_EQ(choose_camera(snapshot, "1", 1).camera.name, "back");
+  EXPECT_EQ(choose_camera(snapshot, "auto", 1).camera.name, "auto");
   try {
-    (void)choose_camera(moment, "side", 1);
+    (void)choose_camera(snapshot, "side", 1);
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::usage);

@@ -1,6 +1,6 @@
 #include "gltf_model.hpp"
 
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -34,7 +34,7 @@ TEST(ClipVolume, ABoxOfItsHalfSize) {
   for (const glm::vec3& outside : {glm::vec3(4.01f, 0, 0), glm::vec3(0, -2.01f, 0), glm::vec3(0, 0, 6.01f)})
     EXPECT_FALSE(holds(hall, outside));
   EXPECT_EQ(hall.bounds.min, glm::vec3(-4, -2, -6));
-  EXPECT_EQ(moment_at(scene, 0.0f, "").world_from_clip_volume.at(0)[3], glm::vec4(1, 2, 3, 1));
+  EXPECT_EQ(snapshot_at(scene, 0.0f, "").world_from_clip_volume.at(0)[3], glm::vec4(1, 2, 3, 1));
 }
 
 // A prism of `sides` sides about the Y axis, one metre around and two high, open above and below.
@@ -68,7 +68,7 @@ TEST(ClipVolume, AMeshClosedByItsBoxAndNotDrawn) {
   EXPECT_TRUE(holds(tower, 0.999f * side * towards + glm::vec3(0, 0.99f, 0)));
   EXPECT_FALSE(holds(tower, 1.001f * side * towards));
   EXPECT_FALSE(holds(tower, {0, 1.01f, 0}));
-  EXPECT_TRUE(moment_at(scene, 0.0f, "").instances.empty());
+  EXPECT_TRUE(snapshot_at(scene, 0.0f, "").instances.empty());
 }
 
 // Ignored with this warning at the volume, or at a member of it.
@@ -82,7 +82,7 @@ TEST(ClipVolume, MeshesThatAreNoConvexVolumeAreDrawnAsEver) {
   expect_ignored(prism(8, 0.5f), ": is a mesh that is not convex; it is ignored");
   EXPECT_EQ(read(prism(58)).clip_volumes.size(), 1u);
   expect_ignored(prism(60), ": is a mesh of more than 64 faces");
-  EXPECT_EQ(moment_at(read(prism(60)), 0.0f, "").instances.size(), 1u);
+  EXPECT_EQ(snapshot_at(read(prism(60)), 0.0f, "").instances.size(), 1u);
 }
 
 TEST(ClipVolume, WhatIsNoVolumeIsIgnored) {

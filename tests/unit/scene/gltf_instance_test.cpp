@@ -1,7 +1,7 @@
-// EXT_mesh_gpu_instancing: its table, and the instances of a moment.
+// EXT_mesh_gpu_instancing: its table, and the instances of a snapshot.
 
 #include "gltf_model.hpp"
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -35,15 +35,15 @@ void expect_box(const Aabb& box, const glm::vec3& min, const glm::vec3& max) {
 TEST(GltfInstancing, EachCopyStandsInTheSpaceOfItsNode) {
   Model model = instanced();
   model.root["nodes"][0]["translation"] = {0, 0, 3};
-  const Moment moment = moment_at(read(model), 0, "");
-  ASSERT_EQ(moment.instances.size(), 3u);
-  expect_box(moment.instances[0].bounds, {0, 0, 3}, {1, 1, 3});
-  expect_box(moment.instances[1].bounds, {8, 0, 3}, {10, 1, 3});
-  expect_box(moment.instances[2].bounds, {-1, 5, 3}, {0, 6, 3});
-  EXPECT_FALSE(moment.instances[0].mirrored);
-  EXPECT_TRUE(moment.instances[1].mirrored);
-  EXPECT_FALSE(moment.instances[2].mirrored);
-  expect_box(moment.bounds, {-1, 0, 3}, {10, 6, 3});
+  const SceneSnapshot snapshot = snapshot_at(read(model), 0, "");
+  ASSERT_EQ(snapshot.instances.size(), 3u);
+  expect_box(snapshot.instances[0].bounds, {0, 0, 3}, {1, 1, 3});
+  expect_box(snapshot.instances[1].bounds, {8, 0, 3}, {10, 1, 3});
+  expect_box(snapshot.instances[2].bounds, {-1, 5, 3}, {0, 6, 3});
+  EXPECT_FALSE(snapshot.instances[0].mirrored);
+  EXPECT_TRUE(snapshot.instances[1].mirrored);
+  EXPECT_FALSE(snapshot.instances[2].mirrored);
+  expect_box(snapshot.bounds, {-1, 0, 3}, {10, 6, 3});
 }
 
 TEST(GltfInstancing, CopiesShareWhatDeformsThem) {
@@ -51,22 +51,22 @@ TEST(GltfInstancing, CopiesShareWhatDeformsThem) {
   const int lifted = model.add<float>("VEC3", kFloat, 3, {0, 0, 2, 0, 0, 2, 0, 0, 2});
   model.primitive()["targets"] = {{{"POSITION", lifted}}};
   model.root["meshes"][0]["weights"] = {1};
-  const Moment moment = moment_at(read(model), 0, "");
-  ASSERT_EQ(moment.instances.size(), 3u);
-  EXPECT_EQ(moment.deformed.size(), 1u);
-  expect_box(moment.instances[1].bounds, {8, 0, 2}, {10, 1, 2});
+  const SceneSnapshot snapshot = snapshot_at(read(model), 0, "");
+  ASSERT_EQ(snapshot.instances.size(), 3u);
+  EXPECT_EQ(snapshot.deformed.size(), 1u);
+  expect_box(snapshot.instances[1].bounds, {8, 0, 2}, {10, 1, 2});
 }
 
 TEST(GltfInstancing, ColumnsAreOptional) {
   Model model = instanced();
   attributes(model).erase("ROTATION");
   attributes(model).erase("SCALE");
-  EXPECT_EQ(moment_at(read(model), 0, "").instances.size(), 3u);
+  EXPECT_EQ(snapshot_at(read(model), 0, "").instances.size(), 3u);
   attributes(model).erase("TRANSLATION");
   attributes(model)["_ID"] = 0;
   const Scene scene = read(model);
   EXPECT_TRUE(has_warning(scene, "the mesh is drawn once"));
-  EXPECT_EQ(moment_at(scene, 0, "").instances.size(), 1u);
+  EXPECT_EQ(snapshot_at(scene, 0, "").instances.size(), 1u);
 }
 
 TEST(GltfInstancing, ColumnsAreChecked) {

@@ -2,7 +2,7 @@
 // without a warning, what it forbids is warned of and ignored.
 
 #include "gltf_model.hpp"
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include <gtest/gtest.h>
 
@@ -202,7 +202,7 @@ TEST(Projectors, StandAsTheirNodesDo) {
   Model model = lit_by("spot", {{"projector", {{"image", 0}}}});
   model.root["nodes"][0]["rotation"] = {0.0, 0.0, std::sqrt(0.5), std::sqrt(0.5)};  // +X to +Y
   model.root["nodes"][0]["scale"] = {2.0, 0.5, 3.0};
-  const LightInstance light = moment_at(read(model), 0.0f, "").lights.at(0);
+  const LightInstance light = snapshot_at(read(model), 0.0f, "").lights.at(0);
   EXPECT_LT(glm::length(light.right - glm::vec3(0, 1, 0)), 1e-6f);
   EXPECT_LT(glm::length(light.direction - glm::vec3(0, 0, -1)), 1e-6f);
 }

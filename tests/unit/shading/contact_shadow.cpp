@@ -66,7 +66,7 @@ TEST(ContactShadow, KeysNameTheStrongestLamp) {
     EXPECT_EQ(light_of_key(dominant_light_key(1e38f, index)), index);
     EXPECT_EQ(dominant_light_key(0.0f, index), 0.0f);
   }
-  // One part in 500 decides, whatever the lamps' numbers.
+  // One part in 500 decides, whatever the lights' numbers.
   for (float luminance = 1e-20f; luminance < 1e20f; luminance *= 3.7f)
     EXPECT_GT(dominant_light_key(luminance * 1.002f, 0u), dominant_light_key(luminance, 16383u)) << luminance;
   EXPECT_LT(dominant_light_key(1e38f, 16383u), 2e30f);  // no infinity, nor what is no number

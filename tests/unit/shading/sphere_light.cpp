@@ -375,8 +375,8 @@ TEST(SphereBrdf, IsNoBrighterThanTheSphere) {
   }
 }
 
-// Interpolated normals turn away from the eye at outlines, beside which a lamp may shine at it: the mirror direction of
-// the formula is in the sphere, and its half vector below the surface. Quadrature says how much light is left there.
+// Interpolated normals turn away from the eye at outlines, beside which a light may shine at it: the mirror direction
+// of the formula is in the sphere, and its half vector below the surface. Quadrature says how much light is left there.
 TEST(SphereBrdf, HasNoHighlightWhereTheNormalTurnsAway) {
   Random random(35);
   double found_sum = 0.0, truth_sum = 0.0;

@@ -37,15 +37,15 @@ class Draws : public ::testing::Test {
     instance.primitive = primitive;
     instance.world_from_object = glm::translate(glm::mat4(1.0f), place);
     instance.bounds = {place - 0.5f, place + 0.5f};
-    moment_.instances.push_back(instance);
+    snapshot_.instances.push_back(instance);
   }
   [[nodiscard]] DrawList list(const Frustum& frustum = everything()) const {
-    return make_draw_list(scene_, moment_, glm::dvec3(0.0), frustum, Viewpoint{}, sorted_triangles_);
+    return make_draw_list(scene_, snapshot_, glm::dvec3(0.0), frustum, Viewpoint{}, sorted_triangles_);
   }
 
   static constexpr std::uint32_t kSolid = 0, kGlass = 1, kDoubleGlass = 2;
   scene::Scene scene_;
-  scene::Moment moment_;
+  scene::SceneSnapshot snapshot_;
   std::size_t sorted_triangles_ = 1000;
 };
 
@@ -59,8 +59,8 @@ TEST_F(Draws, ManyInstancesOfOneMeshAreOneDraw) {
 
 TEST_F(Draws, MirroredAndDeformedInstancesAreDrawnApart) {
   for (int i = 0; i < 4; ++i) add(kSolid, {static_cast<float>(i), 0.0f, 0.0f});
-  moment_.instances[1].mirrored = true;
-  moment_.instances[2].deformed = 0;
+  snapshot_.instances[1].mirrored = true;
+  snapshot_.instances[2].deformed = 0;
   const DrawList list = this->list();
   ASSERT_EQ(list.opaque.size(), 3u);
   EXPECT_EQ(list.opaque[0].object_count, 2u);

@@ -8,23 +8,23 @@
 namespace velarium::upload {
 namespace {
 
-scene::LightInstance lamp(scene::LightKind kind) {
+scene::LightInstance light(scene::LightKind kind) {
   scene::LightInstance instance{.light = {.kind = kind, .intensity = 3.0f}};
   return instance;
 }
 
 TEST(GpuLights, StandByKindAndKeepTheirOrder) {
-  std::vector<scene::LightInstance> lamps;
+  std::vector<scene::LightInstance> instances;
   for (const auto kind : {scene::LightKind::spot, scene::LightKind::point, scene::LightKind::directional,
                           scene::LightKind::point, scene::LightKind::spot})
-    lamps.push_back(lamp(kind));
-  for (std::size_t i = 0; i < lamps.size(); ++i) lamps[i].position.x = static_cast<float>(i);
-  const auto lights = gpu_lights(lamps, glm::dvec3(10.0, 0.0, 0.0), {});
+    instances.push_back(light(kind));
+  for (std::size_t i = 0; i < instances.size(); ++i) instances[i].position.x = static_cast<float>(i);
+  const auto lights = gpu_lights(instances, glm::dvec3(10.0, 0.0, 0.0), {});
   const LightRanges ranges = light_ranges(lights);
   EXPECT_EQ(ranges.first_point, 1u);
   EXPECT_EQ(ranges.first_spot, 3u);
   EXPECT_EQ(ranges.count, 5u);
-  EXPECT_FALSE(any_sized(lights));
+  EXPECT_FALSE(any_area_light(lights));
   EXPECT_FALSE(any_projector(lights));
   EXPECT_EQ(lights[1].position_range.x, 1.0f - 10.0f);  // relative to the eye
   EXPECT_EQ(lights[2].position_range.x, 3.0f - 10.0f);
@@ -32,17 +32,17 @@ TEST(GpuLights, StandByKindAndKeepTheirOrder) {
 }
 
 TEST(GpuLights, KnowTheirSize) {
-  auto bulb = lamp(scene::LightKind::point);
+  auto bulb = light(scene::LightKind::point);
   bulb.light.radius = 0.25f;
   bulb.light.falloff = scene::Falloff::bulb;
   bulb.light.range = 8.0f;
-  auto sun = lamp(scene::LightKind::directional);
+  auto sun = light(scene::LightKind::directional);
   sun.light.angular_radius = 0.5f;
   const auto lights = gpu_lights({bulb, sun}, glm::dvec3(0.0), {});
   EXPECT_NEAR(lights[0].color.w, std::sin(0.5f), 1e-7);
   EXPECT_EQ(lights[1].color.w, 0.25f);
   EXPECT_EQ(lights[1].cone.w, shading::kFalloffBulb);
-  EXPECT_TRUE(any_sized(lights));
+  EXPECT_TRUE(any_area_light(lights));
   // Lux at 1 m from the surface, and nothing at the cutoff radius.
   EXPECT_NEAR(shading::sample_light(lights[1], glm::vec3(1.25f, 0.0f, 0.0f)).irradiance.x, 3.0f, 1e-5);
   EXPECT_EQ(shading::sample_light(lights[1], glm::vec3(8.0f, 0.0f, 0.0f)).irradiance.x, 0.0f);
@@ -53,7 +53,7 @@ TEST(GpuLights, KnowTheirSize) {
 // A product of what a file may hold is beyond fp32; what reaches the shaders leaves room for what they multiply it by.
 TEST(GpuLights, AreNeverBrighterThanShadersCanAddUp) {
   constexpr float kLargest = std::numeric_limits<float>::max();
-  auto blinding = lamp(scene::LightKind::point), candle = blinding;
+  auto blinding = light(scene::LightKind::point), candle = blinding;
   blinding.light.intensity = kLargest;
   blinding.light.color = {kLargest, 1.0f, 0.0f};
   candle.light.color = {1.0f, 0.5f, 0.25f};
@@ -67,7 +67,7 @@ TEST(GpuLights, AreNeverBrighterThanShadersCanAddUp) {
 }
 
 TEST(GpuLights, ShareThePicturesTheyThrow) {
-  auto first = lamp(scene::LightKind::spot), second = first, plain = first;
+  auto first = light(scene::LightKind::spot), second = first, plain = first;
   first.light.projector = {.image = 4, .field_of_view = 1.0f};
   second.light.projector = {.image = 7, .field_of_view = 0.5f};
   const std::vector<scene::Projector> pictures{{.image = 7, .field_of_view = 2.0f}, {.image = 4}};

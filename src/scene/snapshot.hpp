@@ -10,7 +10,7 @@ namespace velarium::scene {
 
 struct Instance {
   std::uint32_t primitive = 0;    // into Scene::primitives
-  std::int32_t deformed = kNone;  // into Moment::deformed where a skin or morph targets move this instance
+  std::int32_t deformed = kNone;  // into SceneSnapshot::deformed where a skin or morph targets move this instance
   std::uint32_t node = 0;
   glm::mat4 world_from_object{1.0f};  // identity for skinned instances, whose vertices are in world space
   bool mirrored = false;              // negative determinant: front faces are clockwise
@@ -29,7 +29,7 @@ struct CameraInstance {
   glm::mat4 world_from_view{1.0f};  // rigid: scale of the node tree removed
 };
 
-struct Moment {
+struct SceneSnapshot {
   std::vector<Instance> instances;  // in node order
   std::vector<VertexFrames> deformed;
   std::vector<LightInstance> lights;
@@ -39,16 +39,16 @@ struct Moment {
 };
 
 // Of an instance's vertices, object space.
-[[nodiscard]] const std::vector<glm::vec3>& positions_of(const Scene& scene, const Moment& moment,
+[[nodiscard]] const std::vector<glm::vec3>& positions_of(const Scene& scene, const SceneSnapshot& snapshot,
                                                          const Instance& instance);
 
 // `animation`: a name, an index, "all", "none" (the pose of the nodes themselves), or empty for the first. Times
 // outside a sampler clamp to its ends. Throws Error(usage) where no animation has that name, listing those there are.
-[[nodiscard]] Moment moment_at(const Scene& scene, float time_s, const std::string& animation);
+[[nodiscard]] SceneSnapshot snapshot_at(const Scene& scene, float time_s, const std::string& animation);
 
 // By node: does any animation move it, or one that it hangs on? Skins and morph targets are not asked:
 // Instance::deformed.
-[[nodiscard]] std::vector<bool> moving_nodes(const Scene& scene);
+[[nodiscard]] std::vector<bool> dynamic_nodes(const Scene& scene);
 
 // A camera at `eye`. Throws Error(usage) where eye and target coincide or `up` is parallel to the view.
 [[nodiscard]] CameraInstance look_at_camera(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up,
@@ -59,7 +59,7 @@ struct Moment {
 
 // The camera that `choice` names: a name or index of the scene's, "auto", or empty for the first, else auto.
 // Throws Error(usage) where there is none of that name, listing those there are.
-[[nodiscard]] CameraInstance choose_camera(const Moment& moment, const std::string& choice, float aspect);
+[[nodiscard]] CameraInstance choose_camera(const SceneSnapshot& snapshot, const std::string& choice, float aspect);
 
 // Near plane where the camera names none that suits: see src/scene/cameras.cpp. Reversed-Z, [0,1] depth, +Y down
 // in clip space as Vulkan has it; an infinite far plane for perspective cameras, whatever the file says.

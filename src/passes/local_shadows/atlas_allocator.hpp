@@ -18,13 +18,13 @@ struct Tile {
 
 // A quadtree of free squares. Sides are powers of two. Tiles asked for from the largest to the smallest leave no gap:
 // they fit if their areas do.
-class TileRoom {
+class AtlasAllocator {
  public:
-  explicit TileRoom(std::uint32_t side);
+  explicit AtlasAllocator(std::uint32_t side);
 
   // The free place that comes first along the Z-order curve; nothing where no square of this size is free.
-  [[nodiscard]] std::optional<Tile> take(std::uint32_t size);
-  void give_back(const Tile& tile);
+  [[nodiscard]] std::optional<Tile> allocate(std::uint32_t size);
+  void free(const Tile& tile);
 
  private:
   [[nodiscard]] std::size_t level_of(std::uint32_t size) const;

@@ -1,4 +1,4 @@
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include "expect_near.hpp"
 
@@ -42,18 +42,18 @@ Scene family() {
   return scene;
 }
 
-const VertexFrames& deformed(const Moment& moment) {
-  return moment.deformed.at(static_cast<std::size_t>(moment.instances.at(0).deformed));
+const VertexFrames& deformed(const SceneSnapshot& snapshot) {
+  return snapshot.deformed.at(static_cast<std::size_t>(snapshot.instances.at(0).deformed));
 }
 
 TEST(MovingNodes, AreThoseThatAnimationsMoveAndWhatHangsOnThem) {
   Scene scene = family();
   scene.nodes.resize(3);  // the third stands apart
-  EXPECT_EQ(moving_nodes(scene), (std::vector<bool>{false, false, false}));
+  EXPECT_EQ(dynamic_nodes(scene), (std::vector<bool>{false, false, false}));
   scene.animations = {{}, {.channels = {{.node = 1}}}};
-  EXPECT_EQ(moving_nodes(scene), (std::vector<bool>{false, true, false}));
+  EXPECT_EQ(dynamic_nodes(scene), (std::vector<bool>{false, true, false}));
   scene.animations[0].channels = {{.node = 0}};
-  EXPECT_EQ(moving_nodes(scene), (std::vector<bool>{true, true, false}));
+  EXPECT_EQ(dynamic_nodes(scene), (std::vector<bool>{true, true, false}));
 }
 
 TEST(Aabb, TransformedBoundsTheTransformedCorners) {
@@ -76,15 +76,15 @@ TEST(Aabb, GrowsByPointsAndBoxesAndIgnoresEmptyOnes) {
   EXPECT_EQ(box.max, glm::vec3(1, 2, 3));
 }
 
-TEST(Moment, MultipliesParentsAndScalesBeforeTurningBeforeMoving) {
+TEST(SceneSnapshot, MultipliesParentsAndScalesBeforeTurningBeforeMoving) {
   Scene scene = family();
   scene.nodes[0].translation = {10, 0, 0};
   scene.nodes[0].rotation = glm::angleAxis(glm::radians(90.0f), glm::vec3(0, 0, 1));
   scene.nodes[1].scale = {2, 3, 4};
   scene.nodes[1].translation = {0, 5, 0};
-  const Moment moment = moment_at(scene, 0, "");
-  ASSERT_EQ(moment.instances.size(), 1u);
-  const Instance& instance = moment.instances[0];
+  const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
+  ASSERT_EQ(snapshot.instances.size(), 1u);
+  const Instance& instance = snapshot.instances[0];
   // (1,1,1) -> scaled (2,3,4) -> moved (2,8,4) -> turned (-8,2,4) -> moved (2,2,4)
   expect_near(glm::vec3(instance.world_from_object * glm::vec4(1, 1, 1, 1)), {2, 2, 4});
   EXPECT_EQ(instance.deformed, kNone);
@@ -92,50 +92,50 @@ TEST(Moment, MultipliesParentsAndScalesBeforeTurningBeforeMoving) {
   EXPECT_FALSE(instance.mirrored);
   expect_near(instance.bounds.min, {2, 0, 0});
   expect_near(instance.bounds.max, {5, 2, 0});
-  expect_near(moment.bounds.min, instance.bounds.min);
+  expect_near(snapshot.bounds.min, instance.bounds.min);
 }
 
-TEST(Moment, UsesAMatrixAsItIs) {
+TEST(SceneSnapshot, UsesAMatrixAsItIs) {
   Scene scene = family();
   scene.nodes[1].matrix = glm::translate(glm::mat4(1), glm::vec3(1, 2, 3));
   scene.nodes[1].translation = {100, 0, 0};
-  expect_near(glm::vec3(moment_at(scene, 0, "").instances[0].world_from_object[3]), {1, 2, 3});
+  expect_near(glm::vec3(snapshot_at(scene, 0, "").instances[0].world_from_object[3]), {1, 2, 3});
 }
 
-TEST(Moment, KnowsMirroredInstances) {
+TEST(SceneSnapshot, KnowsMirroredInstances) {
   Scene scene = family();
   scene.nodes[0].scale = {-1, 1, 1};
-  EXPECT_TRUE(moment_at(scene, 0, "").instances[0].mirrored);
+  EXPECT_TRUE(snapshot_at(scene, 0, "").instances[0].mirrored);
   scene.nodes[1].scale = {1, 1, -2};
-  EXPECT_FALSE(moment_at(scene, 0, "").instances[0].mirrored);
+  EXPECT_FALSE(snapshot_at(scene, 0, "").instances[0].mirrored);
 }
 
-TEST(Moment, DrawsOnlyTheShownSceneInNodeOrder) {
+TEST(SceneSnapshot, DrawsOnlyTheShownSceneInNodeOrder) {
   Scene scene = family();
   scene.nodes.resize(5);
   for (Node& node : scene.nodes) node.mesh = 0;
   scene.roots = {3, 0};
-  const Moment moment = moment_at(scene, 0, "");
-  ASSERT_EQ(moment.instances.size(), 3u);
-  EXPECT_EQ(moment.instances[0].node, 0u);
-  EXPECT_EQ(moment.instances[1].node, 1u);
-  EXPECT_EQ(moment.instances[2].node, 3u);
+  const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
+  ASSERT_EQ(snapshot.instances.size(), 3u);
+  EXPECT_EQ(snapshot.instances[0].node, 0u);
+  EXPECT_EQ(snapshot.instances[1].node, 1u);
+  EXPECT_EQ(snapshot.instances[2].node, 3u);
 }
 
-TEST(Moment, OfNothingIsEmpty) {
-  const Moment moment = moment_at(Scene{}, 0, "");
-  EXPECT_TRUE(moment.bounds.empty());
-  EXPECT_TRUE(moment.instances.empty());
+TEST(SceneSnapshot, OfNothingIsEmpty) {
+  const SceneSnapshot snapshot = snapshot_at(Scene{}, 0, "");
+  EXPECT_TRUE(snapshot.bounds.empty());
+  EXPECT_TRUE(snapshot.instances.empty());
 }
 
-TEST(Moment, MovesAnimatedNodesWithTheirChildren) {
+TEST(SceneSnapshot, MovesAnimatedNodesWithTheirChildren) {
   Scene scene = family();
   const AnimationSampler s{Interpolation::linear, {0, 2}, {0, 0, 0, 8, 0, 0}, 3};
   scene.animations.push_back({"a", {s}, {{0, 0, AnimatedPath::translation}}, 2});
-  expect_near(glm::vec3(moment_at(scene, 0.5f, "a").instances[0].world_from_object[3]), {2, 0, 0});
+  expect_near(glm::vec3(snapshot_at(scene, 0.5f, "a").instances[0].world_from_object[3]), {2, 0, 0});
 }
 
-TEST(Moment, MorphsBeforeTheNodeTransform) {
+TEST(SceneSnapshot, MorphsBeforeTheNodeTransform) {
   Scene scene = family();
   scene.nodes[1].translation = {0, 0, 5};
   scene.nodes[1].weights = {0.5f, 2.0f};
@@ -144,23 +144,23 @@ TEST(Moment, MorphsBeforeTheNodeTransform) {
   targets[0].positions.assign(3, {0, 0, 4});
   targets[1].normals.assign(3, {0, 0.5f, 0});
   targets[2].positions.assign(3, {1e9f, 0, 0});
-  const Moment moment = moment_at(scene, 0, "");
-  const VertexFrames& v = deformed(moment);
+  const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
+  const VertexFrames& v = deformed(snapshot);
   expect_near(v.positions[1], {1, 0, 2});
   expect_near(v.normals[1], glm::normalize(glm::vec3(0, 1, 1)));
   expect_near(glm::vec3(v.tangents[1]), {1, 0, 0});
-  expect_near(glm::vec3(moment.instances[0].world_from_object[3]), {0, 0, 5});
-  expect_near(moment.bounds.min, {0, 0, 7});
-  expect_near(moment.bounds.max, {1, 1, 7});
+  expect_near(glm::vec3(snapshot.instances[0].world_from_object[3]), {0, 0, 5});
+  expect_near(snapshot.bounds.min, {0, 0, 7});
+  expect_near(snapshot.bounds.max, {1, 1, 7});
 }
 
-TEST(Moment, MorphedTangentsStayInThePlaneOfTheMorphedNormal) {
+TEST(SceneSnapshot, MorphedTangentsStayInThePlaneOfTheMorphedNormal) {
   Scene scene = family();
   scene.nodes[1].weights = {1};
   scene.primitives[0].morph_targets.resize(1);
   scene.primitives[0].morph_targets[0].normals.assign(3, {1, 0, 0});
-  const Moment moment = moment_at(scene, 0, "");
-  expect_near(glm::vec3(deformed(moment).tangents[0]), glm::normalize(glm::vec3(1, 0, -1)));
+  const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
+  expect_near(glm::vec3(deformed(snapshot).tangents[0]), glm::normalize(glm::vec3(1, 0, -1)));
 }
 
 // Two joints; the triangle's three corners hang on the first, the second, and half on each.
@@ -178,21 +178,21 @@ Scene skinned() {
   return scene;
 }
 
-TEST(Moment, SkinsBringVerticesToWorldSpace) {
+TEST(SceneSnapshot, SkinsBringVerticesToWorldSpace) {
   Scene scene = skinned();
   scene.nodes[2].translation = {0, 0, 2};
   scene.nodes[3].translation = {0, 0, 6};
-  const Moment moment = moment_at(scene, 0, "");
-  EXPECT_EQ(moment.instances[0].world_from_object, glm::mat4(1));
-  const VertexFrames& v = deformed(moment);
+  const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
+  EXPECT_EQ(snapshot.instances[0].world_from_object, glm::mat4(1));
+  const VertexFrames& v = deformed(snapshot);
   expect_near(v.positions[0], {0, 0, 2});
   expect_near(v.positions[1], {1, 0, 6});
   expect_near(v.positions[2], {0, 1, 4});
-  expect_near(moment.bounds.min, {0, 0, 2});
-  expect_near(moment.bounds.max, {1, 1, 6});
+  expect_near(snapshot.bounds.min, {0, 0, 2});
+  expect_near(snapshot.bounds.max, {1, 1, 6});
 }
 
-TEST(Moment, SkinsAtTheBindPoseChangeNothing) {
+TEST(SceneSnapshot, SkinsAtTheBindPoseChangeNothing) {
   Scene scene = skinned();
   for (const std::uint32_t joint : {2u, 3u}) {
     scene.nodes[joint].translation = {1, 2, static_cast<float>(joint)};
@@ -201,14 +201,14 @@ TEST(Moment, SkinsAtTheBindPoseChangeNothing) {
         glm::translate(glm::mat4(1), scene.nodes[joint].translation) * glm::mat4_cast(scene.nodes[joint].rotation);
     scene.skins[0].joint_from_object[joint - 2] = glm::inverse(world);
   }
-  const Moment moment = moment_at(scene, 0, "");
+  const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
   for (std::size_t i = 0; i < 3; ++i) {
-    expect_near(deformed(moment).positions[i], scene.primitives[0].vertices.positions[i]);
-    expect_near(deformed(moment).normals[i], {0, 0, 1});
+    expect_near(deformed(snapshot).positions[i], scene.primitives[0].vertices.positions[i]);
+    expect_near(deformed(snapshot).normals[i], {0, 0, 1});
   }
 }
 
-TEST(Moment, SkinsReadAllSetsOfJoints) {
+TEST(SceneSnapshot, SkinsReadAllSetsOfJoints) {
   Scene scene = skinned();
   Primitive& p = scene.primitives[0];
   p.skin_sets = 2;
@@ -216,39 +216,39 @@ TEST(Moment, SkinsReadAllSetsOfJoints) {
   for (glm::vec4& w : p.weights) w *= 0.25f;
   p.weights.insert(p.weights.end(), 3, {0, 0, 0, 0.75f});
   scene.nodes[3].translation = {0, 0, 4};
-  const Moment moment = moment_at(scene, 0, "");
-  expect_near(deformed(moment).positions[0], {0, 0, 3});
-  expect_near(deformed(moment).positions[1], {1, 0, 4});
-  expect_near(deformed(moment).positions[2], {0, 1, 3.5f});
+  const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
+  expect_near(deformed(snapshot).positions[0], {0, 0, 3});
+  expect_near(deformed(snapshot).positions[1], {1, 0, 4});
+  expect_near(deformed(snapshot).positions[2], {0, 1, 3.5f});
 }
 
 // A surface tilted by 45 degrees, stretched along x by 2: its normal follows the inverse transpose.
-TEST(Moment, SkinnedNormalsStayPerpendicularUnderNonUniformScale) {
+TEST(SceneSnapshot, SkinnedNormalsStayPerpendicularUnderNonUniformScale) {
   Scene scene = skinned();
   scene.primitives[0].vertices.normals.assign(3, glm::normalize(glm::vec3(1, 0, 1)));
   scene.primitives[0].vertices.tangents.assign(3, glm::vec4(glm::normalize(glm::vec3(1, 0, -1)), 1));
   for (const std::uint32_t joint : {2u, 3u}) scene.nodes[joint].scale = {2, 1, 1};
-  const Moment moment = moment_at(scene, 0, "");
+  const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
   for (std::size_t i = 0; i < 3; ++i) {
-    expect_near(deformed(moment).normals[i], glm::normalize(glm::vec3(1, 0, 2)));
-    expect_near(glm::vec3(deformed(moment).tangents[i]), glm::normalize(glm::vec3(2, 0, -1)));
+    expect_near(deformed(snapshot).normals[i], glm::normalize(glm::vec3(1, 0, 2)));
+    expect_near(glm::vec3(deformed(snapshot).tangents[i]), glm::normalize(glm::vec3(2, 0, -1)));
   }
 }
 
 // Mirrored in x: a normal along z and the bitangent's direction in space stay as they are.
-TEST(Moment, MirroringJointsKeepNormalsOutAndTurnTheFrame) {
+TEST(SceneSnapshot, MirroringJointsKeepNormalsOutAndTurnTheFrame) {
   Scene scene = skinned();
   for (const std::uint32_t joint : {2u, 3u}) scene.nodes[joint].scale = {-1, 1, 1};
-  const Moment moment = moment_at(scene, 0, "");
-  EXPECT_TRUE(moment.instances[0].mirrored);
-  const glm::vec3 n = deformed(moment).normals[0];
-  const glm::vec4 t = deformed(moment).tangents[0];
+  const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
+  EXPECT_TRUE(snapshot.instances[0].mirrored);
+  const glm::vec3 n = deformed(snapshot).normals[0];
+  const glm::vec4 t = deformed(snapshot).tangents[0];
   expect_near(n, {0, 0, 1});
   expect_near(glm::vec3(t), {-1, 0, 0});
   expect_near(t.w * glm::cross(n, glm::vec3(t)), {0, 1, 0});
 }
 
-TEST(Moment, DeformsMeshesOfManyRangesWhole) {
+TEST(SceneSnapshot, DeformsMeshesOfManyRangesWhole) {
   constexpr std::size_t kCount = 10001;
   Scene scene = family();
   Primitive& p = scene.primitives[0];
@@ -258,16 +258,16 @@ TEST(Moment, DeformsMeshesOfManyRangesWhole) {
   p.morph_targets.resize(1);
   p.morph_targets[0].positions.assign(kCount, {0, 1, 0});
   scene.nodes[1].weights = {1};
-  const Moment moment = moment_at(scene, 0, "");
-  ASSERT_EQ(deformed(moment).positions.size(), kCount);
-  EXPECT_TRUE(deformed(moment).normals.empty());
+  const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
+  ASSERT_EQ(deformed(snapshot).positions.size(), kCount);
+  EXPECT_TRUE(deformed(snapshot).normals.empty());
   for (std::size_t i = 0; i < kCount; ++i) {
     const float x = static_cast<float>(i);
-    ASSERT_EQ(deformed(moment).positions[i], glm::vec3(x, x + 1, x));
+    ASSERT_EQ(deformed(snapshot).positions[i], glm::vec3(x, x + 1, x));
   }
 }
 
-TEST(Moment, LightsShineAlongMinusZOfTheirNode) {
+TEST(SceneSnapshot, LightsShineAlongMinusZOfTheirNode) {
   Scene scene = family();
   scene.lights.resize(1);
   scene.nodes[1].name = "lamp";
@@ -275,14 +275,14 @@ TEST(Moment, LightsShineAlongMinusZOfTheirNode) {
   scene.nodes[0].translation = {1, 2, 3};
   scene.nodes[0].scale = glm::vec3(7);
   scene.nodes[1].rotation = glm::angleAxis(glm::radians(-90.0f), glm::vec3(1, 0, 0));
-  const Moment moment = moment_at(scene, 0, "");
-  ASSERT_EQ(moment.lights.size(), 1u);
-  expect_near(moment.lights[0].position, {1, 2, 3});
-  expect_near(moment.lights[0].direction, {0, -1, 0});
-  EXPECT_EQ(moment.lights[0].light.name, "lamp");
+  const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
+  ASSERT_EQ(snapshot.lights.size(), 1u);
+  expect_near(snapshot.lights[0].position, {1, 2, 3});
+  expect_near(snapshot.lights[0].direction, {0, -1, 0});
+  EXPECT_EQ(snapshot.lights[0].light.name, "lamp");
 }
 
-TEST(Moment, CamerasAreRigidWhateverTheScale) {
+TEST(SceneSnapshot, CamerasAreRigidWhateverTheScale) {
   Scene scene = family();
   scene.cameras.resize(1);
   scene.nodes[1].camera = 0;
@@ -290,14 +290,14 @@ TEST(Moment, CamerasAreRigidWhateverTheScale) {
   scene.nodes[1].rotation = glm::angleAxis(glm::radians(90.0f), glm::vec3(0, 1, 0));  // looks along -X
   for (const glm::vec3& scale : {glm::vec3(3, 3, 3), glm::vec3(1, 2, 5), glm::vec3(-2, 1, 1)}) {
     scene.nodes[0].scale = scale;
-    const glm::mat4 m = moment_at(scene, 0, "").cameras.at(0).world_from_view;
+    const glm::mat4 m = snapshot_at(scene, 0, "").cameras.at(0).world_from_view;
     expect_near(glm::vec3(m * glm::vec4(0, 0, -1, 0)), {scale.x > 0 ? -1.0f : 1.0f, 0, 0});
     expect_near(glm::vec3(m[1]), {0, 1, 0});
     EXPECT_NEAR(glm::determinant(m), 1.0f, kRounding);
     expect_near(glm::vec3(m[3]), {scale.x, 0, 0});
   }
   scene.nodes[0].scale = glm::vec3(0);
-  EXPECT_NEAR(glm::determinant(moment_at(scene, 0, "").cameras.at(0).world_from_view), 1.0f, kRounding);
+  EXPECT_NEAR(glm::determinant(snapshot_at(scene, 0, "").cameras.at(0).world_from_view), 1.0f, kRounding);
 }
 
 }  // namespace

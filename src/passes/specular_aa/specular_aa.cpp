@@ -1,21 +1,21 @@
-#include "passes/normal_variance/normal_variance.hpp"
+#include "passes/specular_aa/specular_aa.hpp"
 
 #include "upload/io.hpp"
 
 #include <cmath>
 
-namespace velarium::normal_variance {
+namespace velarium::specular_aa {
 namespace {
 
 namespace io {
 using namespace shading;
-#include "passes/normal_variance/normal_variance_io.glsl"
+#include "passes/specular_aa/specular_aa_io.glsl"
 }  // namespace io
 
 using graph::Access;
 
 constexpr std::uint32_t kShader[] =
-#include "shaders/passes/normal_variance/normal_variance.comp.inc"
+#include "shaders/passes/specular_aa/specular_aa.comp.inc"
     ;
 
 // Frames that are averaged look at finer parts of a pixel each: by the level that textures are sharpened.
@@ -27,10 +27,10 @@ float share_of_a_frame(const upload::Tables& tables, const Settings& settings) {
 
 graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings& settings) {
   if (!settings.screen) return in.gbuffer.specular;
-  auto& pass = graph.pass("normal_variance");
+  auto& pass = graph.pass("specular_aa");
   pass.read(in.gbuffer.normal, Access::compute_sample).read(in.gbuffer.depth, Access::compute_sample);
   const auto specular = pass.write(in.gbuffer.specular, Access::compute_storage);
-  const io::NormalVariancePush push{share_of_a_frame(in.scene.tables, settings), settings.dim_dielectrics ? 1u : 0u};
+  const io::SpecularAaPush push{share_of_a_frame(in.scene.tables, settings), settings.dim_dielectrics ? 1u : 0u};
   pass.run([=](graph::Context& c) {
     const auto& pipeline = c.tools().pipelines.compute(kShader);
     c.bind(pipeline);
@@ -47,4 +47,4 @@ graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings& set
   return specular;
 }
 
-}  // namespace velarium::normal_variance
+}  // namespace velarium::specular_aa

@@ -1,4 +1,4 @@
-#include "passes/local_shadows/keeper.hpp"
+#include "passes/local_shadows/shadow_cache.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -46,14 +46,14 @@ std::uint64_t fingerprint(const View& view, const glm::dvec3& origin, const uplo
   return hash;
 }
 
-std::size_t MapKeeper::find(const View& view, const glm::dvec3& origin) const {
+std::size_t ShadowCache::find(const View& view, const glm::dvec3& origin) const {
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) {
     return same_view(view, view.position + origin, kept.view, kept.position_ws);
   });
   return found == kept_.end() ? kNone : static_cast<std::size_t>(found - kept_.begin());
 }
 
-void MapKeeper::drop_unwanted(const std::vector<View>& views, const glm::dvec3& origin) {
+void ShadowCache::drop_unwanted(const std::vector<View>& views, const glm::dvec3& origin) {
   std::vector<bool> wanted(kept_.size());
   for (const auto& view : views)
     if (const std::size_t at = find(view, origin); at != kNone) wanted[at] = true;
@@ -62,13 +62,13 @@ void MapKeeper::drop_unwanted(const std::vector<View>& views, const glm::dvec3& 
     if (wanted[i])
       left.push_back(kept_[i]);
     else
-      room_.give_back(kept_[i].tile);
+      allocator_.free(kept_[i].tile);
   }
   kept_ = std::move(left);
 }
 
-std::vector<std::uint32_t> MapKeeper::sizes(const std::vector<View>& views, const glm::dvec3& origin,
-                                            const Settings& settings) const {
+std::vector<std::uint32_t> ShadowCache::sizes(const std::vector<View>& views, const glm::dvec3& origin,
+                                              const Settings& settings) const {
   std::vector<WantedTile> wanted;
   for (const auto& view : views) {
     std::uint32_t size = wanted_size(view, settings);
@@ -81,10 +81,10 @@ std::vector<std::uint32_t> MapKeeper::sizes(const std::vector<View>& views, cons
   return fitting_sizes(wanted, side_, kSmallestTile);
 }
 
-std::vector<MapKeeper::Update> MapKeeper::updates_of(const std::vector<View>& views,
-                                                     const std::vector<std::uint64_t>& fingerprints,
-                                                     const std::vector<std::uint32_t>& sizes,
-                                                     const glm::dvec3& origin) const {
+std::vector<ShadowCache::Update> ShadowCache::updates_of(const std::vector<View>& views,
+                                                         const std::vector<std::uint64_t>& fingerprints,
+                                                         const std::vector<std::uint32_t>& sizes,
+                                                         const glm::dvec3& origin) const {
   std::vector<Update> updates;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const std::size_t at = find(views[i], origin);
@@ -105,21 +105,22 @@ std::vector<MapKeeper::Update> MapKeeper::updates_of(const std::vector<View>& vi
   return updates;
 }
 
-bool MapKeeper::move(Kept& kept, std::uint32_t size) {
+bool ShadowCache::move(Kept& kept, std::uint32_t size) {
   const std::uint32_t old = kept.tile.size;
-  if (old != 0) room_.give_back(kept.tile);
-  auto tile = room_.take(size);
-  if (!tile && old != 0) tile = room_.take(old);
+  if (old != 0) allocator_.free(kept.tile);
+  auto tile = allocator_.allocate(size);
+  if (!tile && old != 0) tile = allocator_.allocate(old);
   if (tile) kept.tile = *tile;
   return tile.has_value();
 }
 
-std::vector<PlacedView> MapKeeper::place(const std::vector<View>& views, const std::vector<std::uint64_t>& fingerprints,
-                                         const glm::dvec3& origin, const Settings& settings, std::uint32_t updates) {
+std::vector<PlacedView> ShadowCache::place(const std::vector<View>& views,
+                                           const std::vector<std::uint64_t>& fingerprints, const glm::dvec3& origin,
+                                           const Settings& settings, std::uint32_t updates) {
   if (side_ != atlas_side(settings)) {
     forget();
     side_ = atlas_side(settings);
-    room_ = TileRoom(side_);
+    allocator_ = AtlasAllocator(side_);
   }
   ++picture_;
   drop_unwanted(views, origin);
@@ -129,7 +130,7 @@ std::vector<PlacedView> MapKeeper::place(const std::vector<View>& views, const s
     if (updates == 0) break;
     // What lost its place to more important lights keeps its map until it is in their way.
     if (sizes[view] == 0) {
-      room_.give_back(kept_[at].tile);
+      allocator_.free(kept_[at].tile);
       kept_[at].tile.size = 0;
       continue;
     }

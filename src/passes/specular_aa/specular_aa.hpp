@@ -5,7 +5,7 @@
 
 #include <velarium/settings.hpp>
 
-namespace velarium::normal_variance {
+namespace velarium::specular_aa {
 
 using Settings = velarium::Settings::specular_aa_settings;
 
@@ -18,4 +18,4 @@ struct Inputs {
 // smoothness and the luma of f0 that are left; adds no pass where settings.screen is off.
 [[nodiscard]] graph::GraphImage add(graph::Graph& graph, const Inputs& in, const Settings& settings);
 
-}  // namespace velarium::normal_variance
+}  // namespace velarium::specular_aa

@@ -1,7 +1,7 @@
 // Light of a sphere of even radiance, or of the sun's disc, on glossy and matt surfaces without sampling it.
 // `sine`: of the half angle under which the sphere is seen: its radius over the distance of its centre.
-#ifndef VEL_SHADING_SPHERE_LIGHT_GLSL
-#define VEL_SHADING_SPHERE_LIGHT_GLSL
+#ifndef VEL_SHADING_AREA_LIGHTS_GLSL
+#define VEL_SHADING_AREA_LIGHTS_GLSL
 
 #include "shading/brdf.glsl"
 #include "shading/constants.glsl"

@@ -6,10 +6,10 @@
 // after Mittring & Dudash 2012].
 
 #include "passes/gbuffer/gbuffer_io.glsl"
-#include "passes/normal_variance/normal_variance_io.glsl"
+#include "passes/specular_aa/specular_aa_io.glsl"
 #include "shading/depth.glsl"
 #include "shading/normal_encoding.glsl"
-#include "shading/normal_variance.glsl"
+#include "shading/specular_aa.glsl"
 #include "upload/frame.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,4 +1,4 @@
-#include "passes/local_shadows/coverage.hpp"
+#include "passes/local_shadows/screen_coverage.hpp"
 
 #include <glm/geometric.hpp>
 

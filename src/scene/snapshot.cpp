@@ -1,8 +1,8 @@
-#include "scene/moment.hpp"
+#include "scene/snapshot.hpp"
 
 #include "core/assert.hpp"
 #include "scene/animation.hpp"
-#include "scene/moment_deform.hpp"
+#include "scene/snapshot_deform.hpp"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -82,7 +82,7 @@ class MomentBuilder {
   MomentBuilder(const Scene& scene, std::vector<Pose> poses)
       : scene_(scene), poses_(std::move(poses)), world_(world_matrices(scene, poses_)), joints_(scene.skins.size()) {}
 
-  Moment build() && {
+  SceneSnapshot build() && {
     const std::vector<bool> shown = shown_nodes(scene_);
     for (std::uint32_t i = 0; i < scene_.nodes.size(); ++i) {
       if (!shown[i]) continue;
@@ -91,13 +91,14 @@ class MomentBuilder {
       if (node.light != kNone) add_light(node, world_[i]);
       if (node.camera != kNone) add_camera(node, world_[i]);
     }
-    for (const ClipVolume& volume : scene_.clip_volumes) moment_.world_from_clip_volume.push_back(world_[volume.node]);
-    moment_.deformed = deformed_vertices(deformations_);
-    for (Instance& instance : moment_.instances) {
+    for (const ClipVolume& volume : scene_.clip_volumes)
+      snapshot_.world_from_clip_volume.push_back(world_[volume.node]);
+    snapshot_.deformed = deformed_vertices(deformations_);
+    for (Instance& instance : snapshot_.instances) {
       instance.bounds = object_bounds(instance).transformed(instance.world_from_object);
-      moment_.bounds.add(instance.bounds);
+      snapshot_.bounds.add(instance.bounds);
     }
-    return std::move(moment_);
+    return std::move(snapshot_);
   }
 
  private:
@@ -123,13 +124,13 @@ class MomentBuilder {
 
   // The copies share what deforms them.
   void add_instances(const Node& node, Instance instance) {
-    if (node.instances.empty()) moment_.instances.push_back(instance);
+    if (node.instances.empty()) snapshot_.instances.push_back(instance);
     const glm::mat4 world_from_node = instance.world_from_object;
     for (const Placement& placement : node.instances) {
       instance.world_from_object =
           world_from_node * matrix_of(placement.translation, placement.rotation, placement.scale);
       instance.mirrored = is_mirrored(instance.world_from_object);
-      moment_.instances.push_back(instance);
+      snapshot_.instances.push_back(instance);
     }
   }
 
@@ -138,13 +139,13 @@ class MomentBuilder {
     LightInstance instance{scene_.lights[static_cast<std::size_t>(node.light)], glm::vec3(world[3]),
                            -glm::vec3(frame[2]), glm::vec3(frame[0])};
     if (instance.light.name.empty()) instance.light.name = node.name;
-    moment_.lights.push_back(std::move(instance));
+    snapshot_.lights.push_back(std::move(instance));
   }
 
   void add_camera(const Node& node, const glm::mat4& world) {
     CameraInstance instance{scene_.cameras[static_cast<std::size_t>(node.camera)], rigid(world)};
     if (instance.camera.name.empty()) instance.camera.name = node.name;
-    moment_.cameras.push_back(std::move(instance));
+    snapshot_.cameras.push_back(std::move(instance));
   }
 
   // glTF 2.0, 3.7.3.1: the transform of the node that draws the mesh has no part in this.
@@ -163,7 +164,7 @@ class MomentBuilder {
   Aabb object_bounds(const Instance& instance) const {
     if (instance.deformed == kNone) return scene_.primitives[instance.primitive].bounds;
     Aabb bounds;
-    for (const glm::vec3& p : moment_.deformed[static_cast<std::size_t>(instance.deformed)].positions) bounds.add(p);
+    for (const glm::vec3& p : snapshot_.deformed[static_cast<std::size_t>(instance.deformed)].positions) bounds.add(p);
     return bounds;
   }
 
@@ -172,12 +173,12 @@ class MomentBuilder {
   std::vector<glm::mat4> world_;                // a node
   std::vector<std::vector<glm::mat4>> joints_;  // a skin: world from bind pose, made when first asked for
   std::vector<Deformation> deformations_;
-  Moment moment_;
+  SceneSnapshot snapshot_;
 };
 
 }  // namespace
 
-std::vector<bool> moving_nodes(const Scene& scene) {
+std::vector<bool> dynamic_nodes(const Scene& scene) {
   std::vector<bool> moving(scene.nodes.size(), false);
   std::vector<std::uint32_t> pending;
   for (const auto& animation : scene.animations)
@@ -192,12 +193,13 @@ std::vector<bool> moving_nodes(const Scene& scene) {
   return moving;
 }
 
-const std::vector<glm::vec3>& positions_of(const Scene& scene, const Moment& moment, const Instance& instance) {
+const std::vector<glm::vec3>& positions_of(const Scene& scene, const SceneSnapshot& snapshot,
+                                           const Instance& instance) {
   return instance.deformed == kNone ? scene.primitives[instance.primitive].vertices.positions
-                                    : moment.deformed[static_cast<std::size_t>(instance.deformed)].positions;
+                                    : snapshot.deformed[static_cast<std::size_t>(instance.deformed)].positions;
 }
 
-Moment moment_at(const Scene& scene, float time_s, const std::string& animation) {
+SceneSnapshot snapshot_at(const Scene& scene, float time_s, const std::string& animation) {
   return MomentBuilder(scene, poses_at(scene, time_s, animation)).build();
 }
 

@@ -1,4 +1,4 @@
-#include "scene/moment_choice.hpp"
+#include "scene/choice.hpp"
 
 #include <fmt/core.h>
 

@@ -14,7 +14,7 @@ namespace velarium::local_shadows {
 [[nodiscard]] std::uint64_t fingerprint(const View& view, const glm::dvec3& origin, const upload::CasterTable& casters,
                                         bool translucent);
 
-class MapKeeper {
+class ShadowCache {
  public:
   // Places of the views in the atlas. At most `updates` of them are drawn: first those that must make room, then those
   // that have no map yet, from the most important light on, then the oldest of those whose casters moved or whose size
@@ -23,7 +23,7 @@ class MapKeeper {
   [[nodiscard]] std::vector<PlacedView> place(const std::vector<View>& views,
                                               const std::vector<std::uint64_t>& fingerprints, const glm::dvec3& origin,
                                               const Settings& settings, std::uint32_t updates);
-  void forget() { *this = MapKeeper(); }
+  void forget() { *this = ShadowCache(); }
 
  private:
   struct Kept {
@@ -50,7 +50,7 @@ class MapKeeper {
   // False where there is no room.
   bool move(Kept& kept, std::uint32_t size);
 
-  TileRoom room_{1};
+  AtlasAllocator allocator_{1};
   std::uint32_t side_ = 0;
   std::vector<Kept> kept_;
   std::uint64_t picture_ = 0;

@@ -1,4 +1,4 @@
-#include "scene/moment_deform.hpp"
+#include "scene/snapshot_deform.hpp"
 
 #include "core/assert.hpp"
 #include "core/jobs.hpp"

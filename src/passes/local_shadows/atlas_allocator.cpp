@@ -1,4 +1,4 @@
-#include "passes/local_shadows/tiles.hpp"
+#include "passes/local_shadows/atlas_allocator.hpp"
 
 #include "core/assert.hpp"
 
@@ -49,18 +49,18 @@ std::uint64_t area(std::uint32_t size) {
 
 }  // namespace
 
-TileRoom::TileRoom(std::uint32_t side) : side_(side) {
+AtlasAllocator::AtlasAllocator(std::uint32_t side) : side_(side) {
   VEL_ASSERT(std::has_single_bit(side));
   free_.resize(static_cast<std::size_t>(std::countr_zero(side)) + 1);
   free_.front().insert(0);
 }
 
-std::size_t TileRoom::level_of(std::uint32_t size) const {
+std::size_t AtlasAllocator::level_of(std::uint32_t size) const {
   VEL_ASSERT(std::has_single_bit(size));
   return free_.size() - 1 - static_cast<std::size_t>(std::countr_zero(size));
 }
 
-std::optional<Tile> TileRoom::take(std::uint32_t size) {
+std::optional<Tile> AtlasAllocator::allocate(std::uint32_t size) {
   if (size > side_) return std::nullopt;
   const std::size_t wanted = level_of(size);
   std::size_t level = wanted;
@@ -74,7 +74,7 @@ std::optional<Tile> TileRoom::take(std::uint32_t size) {
   return Tile{even_bits(place) * size, even_bits(place >> 1u) * size, size};
 }
 
-void TileRoom::give_back(const Tile& tile) {
+void AtlasAllocator::free(const Tile& tile) {
   std::size_t level = level_of(tile.size);
   std::uint32_t place = spread_bits(tile.x / tile.size) | spread_bits(tile.y / tile.size) << 1u;
   free_[level].insert(place);

@@ -2,8 +2,8 @@
 // Ryse]. Normals that are Gaussian about their mean with variance v along each axis (radians^2) turn a lobe of width
 // alpha into one of alpha'^2 = alpha^2 + 2 v: a GGX lobe is near its peak as a Gaussian of variance alpha^2 / 2.
 // 2 v is called `spread2` here, its root `spread`: the alpha of a lobe as high as the normals alone would make.
-#ifndef VEL_SHADING_NORMAL_VARIANCE_GLSL
-#define VEL_SHADING_NORMAL_VARIANCE_GLSL
+#ifndef VEL_SHADING_SPECULAR_AA_GLSL
+#define VEL_SHADING_SPECULAR_AA_GLSL
 
 #include "shading/lang.glsl"
 #include "shading/smoothness.glsl"

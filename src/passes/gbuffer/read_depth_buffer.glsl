@@ -1,6 +1,6 @@
 // The depth buffer of the view, read by pixel. GLSL only.
-#ifndef VEL_PASSES_GBUFFER_READ_DEPTH_GLSL
-#define VEL_PASSES_GBUFFER_READ_DEPTH_GLSL
+#ifndef VEL_PASSES_GBUFFER_READ_DEPTH_BUFFER_GLSL
+#define VEL_PASSES_GBUFFER_READ_DEPTH_BUFFER_GLSL
 
 #include "passes/gbuffer/gbuffer_io.glsl"
 #include "shading/depth.glsl"
