@@ -18,7 +18,7 @@ struct GBufferTexel {
   vec4 normal, albedo, specular;
 };
 
-// bfn_table_value: the best-fit length read at bfn_table_uv(s.normal_ws).
+// bfn_table_value: the best-fit length read at bfn_table_texel(s.normal_ws).
 FN GBufferTexel gbuffer_encode(IN(Surface) s, float bfn_table_value) {
   vec3 normal = bfn_encode(s.normal_ws, bfn_table_value);
   vec3 specular = specular_encode(s.f0);
@@ -32,9 +32,11 @@ FN GBufferTexel gbuffer_encode(IN(Surface) s, float bfn_table_value) {
   return t;
 }
 
-// Normals are stored at lengths that come out almost exact; to move them would undo that. What is left are components of
-// 0, which lie halfway between two codes: a small share of the move lets them fall to either side in turn.
-const float kNormalRounding = 1.0f / 16.0f;
+// Normals are stored at lengths whose components lie close to integers. To move them by a whole code would undo that:
+// each frame would err by 0.060 degrees instead of 0.038. By half of one, components nearer than a quarter to an integer
+// stay, as those of axes do, and frames are as good as they were; what lies halfway falls to either side in turn. That
+// is what normal maps call flat, (1, 1, 255) / 255, and what leans by less than half a degree: its mean errs half as much.
+const float kNormalRounding = 0.5f;
 
 // Moves what is about to be rounded by `shift` codes, rounding_shift(). The albedo moves along a square root, whose slope is
 // within an eighth of the sRGB curve's from 0.05 to 1.

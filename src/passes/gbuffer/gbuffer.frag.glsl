@@ -2,7 +2,6 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_samplerless_texture_functions : require
 
-#include "gpu/samplers.glsl"
 #include "passes/gbuffer/gbuffer_out_io.glsl"
 #include "shading/constants.glsl"
 #include "shading/gbuffer.glsl"
@@ -32,7 +31,8 @@ void main() {
     return;
   }
   Surface surface = material_surface(f, base_color.rgb);
-  float table = textureLod(sampler2D(normal_lengths, nearest_sampler), bfn_table_uv(surface.normal_ws), 0.0).r;
+  float table_size = float(textureSize(normal_lengths, 0).x);
+  float table = texelFetch(normal_lengths, ivec2(bfn_table_texel(surface.normal_ws, table_size)), 0).r;
   GBufferTexel texel = gbuffer_shifted(gbuffer_encode(surface, table), frame.rounding);
   out_normal = texel.normal;
   out_albedo = texel.albedo;

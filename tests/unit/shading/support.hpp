@@ -63,13 +63,16 @@ inline double angle_degrees(const vec3& a, const vec3& b) {
   return degrees(std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)));
 }
 
+// Of best-fit normals, in degrees: halfway between the axis and (127, 1, 1) two components are half an integer off.
+inline constexpr double kWorstNormalError = 0.32;
+
 // The best-fit length k of one direction, searched in double.
 inline int best_fit_length(const vec3& direction) {
   const glm::dvec3 n = glm::dvec3(glm::abs(direction)) / static_cast<double>(max_component(glm::abs(direction)));
   double best = 2.0;
   int best_k = 0;
-  for (int k = 255; k > 0; k -= 2) {
-    const glm::dvec3 q = 2.0 * glm::floor(0.5 * n * static_cast<double>(k)) + 1.0;
+  for (int k = 127; k > 0; --k) {
+    const glm::dvec3 q = glm::floor(n * static_cast<double>(k) + 0.5);
     const double sin2 = 1.0 - glm::dot(q, n) * glm::dot(q, n) / (glm::dot(q, q) * glm::dot(n, n));
     if (sin2 < best - 1e-13) {
       best = sin2;
