@@ -15,6 +15,7 @@ velarium_swiftshader_test(display)
 velarium_swiftshader_test(graph_device)
 velarium_swiftshader_test(furnace)
 velarium_swiftshader_test(bake --gtest_filter=*.AConstantStaysConstant)  # all of them take two minutes
+velarium_swiftshader_test(pictures)
 velarium_swiftshader_test(golden)
 set_tests_properties(swiftshader_golden PROPERTIES
                      ENVIRONMENT VELARIUM_GOLDEN_OUT=${CMAKE_CURRENT_BINARY_DIR}/golden_on_swiftshader)

@@ -18,7 +18,7 @@ namespace {
 // To be raised with every change of what environment_brdf() returns.
 constexpr int kVersion = 2;
 
-// Leaves an error of 6e-4, held by tests/unit/bake/environment_brdf.cpp.
+// Leaves an error of 6e-4, held by tests/unit/bake/environment_brdf_test.cpp.
 constexpr std::uint32_t kRings = 48;
 
 // In place of n.v = 0, where the lobe's sampling is not defined.

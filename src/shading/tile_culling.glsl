@@ -116,7 +116,7 @@ FN bool cone_overlaps_sphere(vec3 apex, vec3 axis, float cos_outer, vec4 sphere)
 }
 
 // Parts that a tile's way through a spot's sphere is cut into. One alone is as long as the cone and meets it nearly always;
-// of these eight, tests/unit/shading/tile_culling.cpp counts how many meet it in vain.
+// of these eight, tests/unit/shading/tile_culling_test.cpp counts how many meet it in vain.
 const uint kSpotSlices = 8u;
 
 // May a spot reach anything of a tile between the eye and z_max? bounds: its sphere, view space, xyz centre, w radius. apex,
