@@ -30,6 +30,14 @@ struct Prepared {
 // images: those that the executor keeps.
 [[nodiscard]] std::vector<MapMemory> shadow_maps(const State& state, std::span<const graph::KeptImage> images);
 
+// The frame before, for techniques that look back: what it showed, and from where. Of a picture's first frame that is
+// the last frame of the picture before; where there is none, the picture's own, as if all had stood still.
+struct FrameBefore {
+  const upload::Tables* tables = nullptr;
+  const upload::View* view = nullptr;
+  upload::FrameSample sample;
+};
+
 // What one frame is made from. Everything outlives the frame.
 struct FrameInputs {
   const upload::Tables& tables;
@@ -41,6 +49,7 @@ struct FrameInputs {
   gpu::Image& sum;    // rgba32f: of the frames of this picture so far
   bool first = true;  // does this frame start the sum?
   upload::FrameSample sample;
+  FrameBefore before;
   Background background = Background::environment;
   const Settings& settings;
 };
