@@ -15,11 +15,19 @@ namespace {
 nlohmann::ordered_json json_of_devices(const std::vector<DeviceInfo>& devices) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const DeviceInfo& device : devices) {
+    const DeviceLimits& limits = device.limits;
     json.push_back({{"index", device.index},
                     {"name", device.name},
                     {"kind", device.kind},
                     {"driver", device.driver},
                     {"api_version", device.api_version},
+                    {"limits",
+                     {{"samplers", limits.samplers},
+                      {"sampled_images", limits.sampled_images},
+                      {"storage_images", limits.storage_images},
+                      {"storage_buffers", limits.storage_buffers},
+                      {"bound_sets", limits.bound_sets},
+                      {"push_constant_bytes", limits.push_constant_bytes}}},
                     {"usable", device.usable},
                     {"why_not", device.why_not}});
   }
@@ -33,6 +41,9 @@ void list_all(bool json) {
   for (const DeviceInfo& device : devices) {
     print(fmt::format("{}: {} ({}, Vulkan {}, {}){}\n", device.index, device.name, device.kind, device.api_version,
                       device.driver, device.usable ? "" : "; not usable: " + device.why_not));
+    const DeviceLimits& limits = device.limits;
+    print(fmt::format("   a shader stage binds {} samplers, {} sampled images, {} storage images, {} storage buffers\n",
+                      limits.samplers, limits.sampled_images, limits.storage_images, limits.storage_buffers));
   }
 }
 

@@ -16,12 +16,19 @@
 
 namespace velarium {
 
+// What one shader stage of a device may bind, and its pipelines.
+struct DeviceLimits {
+  std::uint32_t samplers = 0, sampled_images = 0, storage_images = 0, storage_buffers = 0;  // a stage
+  std::uint32_t bound_sets = 0, push_constant_bytes = 0;
+};
+
 struct DeviceInfo {
   std::uint32_t index = 0;
   std::string name;         // as the driver says it
   std::string kind;         // "discrete", "integrated", "virtual", "cpu", "other"
   std::string driver;       // name and version
   std::string api_version;  // "1.3.224"
+  DeviceLimits limits;
   bool usable = false;
   std::string why_not;  // what a device that is not usable lacks
 };

@@ -2,6 +2,7 @@
 
 #include "core/log.hpp"
 #include "gpu/check.hpp"
+#include "gpu/limits.hpp"
 
 #include <velarium/error.hpp>
 
@@ -173,7 +174,9 @@ DeviceInfo describe_device(VkPhysicalDevice device, std::uint32_t index) {
     info.driver = driver.driverName;
     if (driver.driverInfo[0] != '\0') info.driver += fmt::format(" {}", driver.driverInfo);
   }
+  info.limits = device_limits(basic.limits);
   info.why_not = missing_feature(device, basic.apiVersion);
+  if (info.why_not.empty()) info.why_not = missing_limit(info.limits);
   info.usable = info.why_not.empty();
   return info;
 }

@@ -74,7 +74,7 @@ class Graph {
   // Precondition: it was made for every use that passes declare.
   [[nodiscard]] GraphBuffer import(std::string_view name, gpu::Buffer& buffer, bool initialized);
   // A table that the host writes: a storage buffer with these bytes, there before the first pass. Shaders may read it
-  // in any pass without a declaration, as no pass writes it. `name` is its full name ("sun_shadows.table"). Throws
+  // in any pass without a declaration, as no pass writes it. `name` is its full name ("environment.table"). Throws
   // Error(internal) for a second buffer of that name.
   [[nodiscard]] GraphBuffer upload(std::string_view name, std::span<const std::byte> bytes);
   template <class T>

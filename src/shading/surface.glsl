@@ -5,7 +5,14 @@
 #include "shading/lang.glsl"
 #include "shading/smoothness.glsl"
 
-// What shares the G-buffer's aliased channels, kept in two bits of the stencil.
+// The stencil's eight bits: three of the material class, one of surfaces that take decals, one of near objects (drawn for
+// themselves before the scene), three of the ambient region. What no technique writes yet is 0.
+const uint kStencilClass = 0x07u;
+const uint kStencilTakesDecals = 0x08u;
+const uint kStencilNear = 0x10u;
+const uint kStencilRegionShift = 5u;
+
+// What shares the G-buffer's aliased channels.
 const uint kClassStandard = 0u;       // occlusion, coloured specular
 const uint kClassTransmittance = 1u;  // transmittance, grey specular
 const uint kClassSubsurface = 2u;     // as standard; its diffuse light is blurred

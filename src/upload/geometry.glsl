@@ -11,11 +11,8 @@ layout(location = 2) in vec4 in_tangent;
 layout(location = 3) in vec4 in_uv;
 layout(location = 4) in vec4 in_color;
 
-layout(location = 0) out vec3 out_normal_ws;
-layout(location = 1) out vec4 out_tangent_ws;
-layout(location = 2) out vec4 out_uv;
-layout(location = 3) out vec4 out_color;
-layout(location = 4) out vec3 out_position_ws;
+#define VARYING out
+#include "upload/varyings.glsl"
 
 // Normals go by the matrix of cofactors, which is right for every matrix, mirrored and flat ones included.
 vec3 transform_normal(vec3 row0, vec3 row1, vec3 row2, vec3 normal) {
@@ -35,13 +32,13 @@ void main() {
   ObjectData object = objects[gl_InstanceIndex];
   vec4 row0 = object.world_from_object[0], row1 = object.world_from_object[1], row2 = object.world_from_object[2];
   vec4 position = vec4(in_position, 1.0);
-  out_position_ws = vec3(dot(row0, position), dot(row1, position), dot(row2, position));
-  out_normal_ws = transform_normal(row0.xyz, row1.xyz, row2.xyz, in_normal.xyz);
+  varying_position_ws = vec3(dot(row0, position), dot(row1, position), dot(row2, position));
+  varying_normal_ws = transform_normal(row0.xyz, row1.xyz, row2.xyz, in_normal.xyz);
   float handedness = dot(row0.xyz, cross(row1.xyz, row2.xyz)) < 0.0 ? -1.0 : 1.0;
-  out_tangent_ws = vec4(transform_tangent(row0.xyz, row1.xyz, row2.xyz, in_tangent.xyz), in_tangent.w * handedness);
-  out_uv = in_uv;
-  out_color = in_color;
-  gl_Position = frame.clip_from_world * vec4(out_position_ws, 1.0);
+  varying_tangent_ws = vec4(transform_tangent(row0.xyz, row1.xyz, row2.xyz, in_tangent.xyz), in_tangent.w * handedness);
+  varying_uv = in_uv;
+  varying_color = in_color;
+  gl_Position = frame.clip_from_world * vec4(varying_position_ws, 1.0);
   gl_PointSize = 1.0;
 }
 

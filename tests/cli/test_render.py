@@ -217,7 +217,9 @@ class Reports(CliTest):
         devices = json.loads(self.expect(OK, "devices", "--json"))
         for device in devices:
             self.assertEqual(device["usable"], device["why_not"] == "", device)
-        self.assertIn(devices[0]["name"], self.expect(OK, "devices"))
+        text = self.expect(OK, "devices")
+        self.assertIn(devices[0]["name"], text)
+        self.assertIn(f"binds {devices[0]['limits']['samplers']} samplers", text)
 
 
 @needs_device

@@ -3,6 +3,7 @@
 #include "host_structs.hpp"
 #include "spirv_module.hpp"
 
+#include "gpu/limits.hpp"
 #include "gpu/pipeline.hpp"
 #include "gpu/spirv.hpp"
 
@@ -21,9 +22,6 @@ struct EmbeddedShader {
 };
 
 #include "all_shaders.inc"
-
-// Of the poorest driver, less what is kept for techniques to come: docs/architecture.md.
-constexpr std::size_t kMaxSamplers = 30, kMaxSampledImages = 96, kMaxStorageImages = 8;
 
 void PrintTo(const EmbeddedShader& shader, std::ostream* out) {
   *out << shader.name;
@@ -62,9 +60,11 @@ TEST_P(Spirv, FitsIntoThePoorestDriver) {
       std::ranges::any_of(module.variables, [](const auto& v) { return v.set == gpu::SharedSamplers::kSet; });
   const std::size_t samplers =
       count(module, {SpirvBinding::combined_image_sampler}) + (shared ? gpu::SharedSamplers::kCount : 0);
-  EXPECT_LE(samplers, kMaxSamplers);
-  EXPECT_LE(count(module, {SpirvBinding::combined_image_sampler, SpirvBinding::sampled_image}), kMaxSampledImages);
-  EXPECT_LE(count(module, {SpirvBinding::storage_image}), kMaxStorageImages);
+  EXPECT_LE(samplers, gpu::kUsedLimits.samplers);
+  EXPECT_LE(count(module, {SpirvBinding::combined_image_sampler, SpirvBinding::sampled_image}),
+            gpu::kUsedLimits.sampled_images);
+  EXPECT_LE(count(module, {SpirvBinding::storage_buffer}), gpu::kUsedLimits.storage_buffers);
+  EXPECT_LE(count(module, {SpirvBinding::storage_image}), gpu::kUsedLimits.storage_images);
 }
 
 TEST_P(Spirv, HasSamplersInTheirSetAlone) {

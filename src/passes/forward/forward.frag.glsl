@@ -9,11 +9,8 @@
 #include "shading/constants.glsl"
 #include "upload/material.glsl"
 
-layout(location = 0) in vec3 in_normal_ws;
-layout(location = 1) in vec4 in_tangent_ws;
-layout(location = 2) in vec4 in_uv;
-layout(location = 3) in vec4 in_color;
-layout(location = 4) in vec3 in_position_ws;
+#define VARYING in
+#include "upload/varyings.glsl"
 
 layout(location = 0) out vec4 out_hdr;   // premultiplied
 
@@ -26,9 +23,9 @@ uint tile_light_word(uint word) {
 
 vec3 shade(FragmentInput f, vec3 base_color) {
   vec3 wo_ortho = transpose(view_rotation()) * vec3(0.0, 0.0, 1.0);
-  vec3 wo = frame.perspective > 0.5 ? -normalize(in_position_ws - frame.eye.xyz) : wo_ortho;
-  ShadingPoint p = shading_point(material_surface(f, base_color), in_position_ws, wo);
-  p.face_normal_ws = normalize(cross(dFdx(in_position_ws), dFdy(in_position_ws)));
+  vec3 wo = frame.perspective > 0.5 ? -normalize(varying_position_ws - frame.eye.xyz) : wo_ortho;
+  ShadingPoint p = shading_point(material_surface(f, base_color), varying_position_ws, wo);
+  p.face_normal_ws = normalize(cross(dFdx(varying_position_ws), dFdy(varying_position_ws)));
   vec3 light = material_emissive(f) + environment_light(p);
   // What is transparent is not in the depth that contact shadows are found in.
   if (kLights) light += punctual_lights(p).sum;
@@ -36,7 +33,7 @@ vec3 shade(FragmentInput f, vec3 base_color) {
 }
 
 void main() {
-  FragmentInput f = FragmentInput(in_normal_ws, in_tangent_ws, in_uv, in_color, gl_FrontFacing);
+  FragmentInput f = FragmentInput(varying_normal_ws, varying_tangent_ws, varying_uv, varying_color, gl_FrontFacing);
   vec4 base_color = material_base_color(f);
   bool unlit = (material.flags & kMaterialUnlit) != 0u || dot(f.normal_ws, f.normal_ws) == 0.0;
   float alpha = clamp(base_color.a, 0.0, 1.0);

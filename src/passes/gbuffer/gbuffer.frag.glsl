@@ -8,10 +8,8 @@
 #include "upload/frame.glsl"
 #include "upload/material.glsl"
 
-layout(location = 0) in vec3 in_normal_ws;
-layout(location = 1) in vec4 in_tangent_ws;
-layout(location = 2) in vec4 in_uv;
-layout(location = 3) in vec4 in_color;
+#define VARYING in
+#include "upload/varyings.glsl"
 
 layout(location = 0) out vec4 out_normal;
 layout(location = 1) out vec4 out_albedo;
@@ -19,7 +17,7 @@ layout(location = 2) out vec4 out_specular;
 layout(location = 3) out vec4 out_emissive;   // rgb: nits; a: coverage
 
 void main() {
-  FragmentInput f = FragmentInput(in_normal_ws, in_tangent_ws, in_uv, in_color, gl_FrontFacing);
+  FragmentInput f = FragmentInput(varying_normal_ws, varying_tangent_ws, varying_uv, varying_color, gl_FrontFacing);
   vec4 base_color = material_base_color(f);
   if (kAlphaTest && base_color.a < material.metal_rough.w) discard;
 

@@ -8,7 +8,7 @@
 #include "shading/gbuffer.glsl"
 
 uint gbuffer_class(ivec2 pixel) {
-  return texelFetch(gbuffer_stencil, pixel, 0).r & 3u;
+  return texelFetch(gbuffer_stencil, pixel, 0).r & kStencilClass;
 }
 
 // depth: view depth, not 0. material_class: not kClassUnlit.
