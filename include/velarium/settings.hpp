@@ -27,7 +27,6 @@ struct Settings {
 #define VEL_FLOAT(group, name, value, min, max, unit, help) float name = value;
 #define VEL_ENUM(group, name, Type, value, help) Type name = Type::value;
 #define VEL_END(group) } group;
-#define VEL_RENAMED(before, now)
 // clang-format on
 #include <velarium/options.def>
 #undef VEL_GROUP
@@ -37,7 +36,6 @@ struct Settings {
 #undef VEL_FLOAT
 #undef VEL_ENUM
 #undef VEL_END
-#undef VEL_RENAMED
 };
 
 }  // namespace velarium

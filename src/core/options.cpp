@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <functional>
 #include <type_traits>
@@ -111,7 +112,6 @@ std::vector<Row> make_rows() {
 #define VEL_FLOAT(group, name, value, min, max, unit, help) VEL_ROW(group, name, min, max, unit, help)
 #define VEL_ENUM(group, name, Type, value, help) VEL_ROW(group, name, 0, 0, "", help)
 #define VEL_END(group)
-#define VEL_RENAMED(before, now)
 #include <velarium/options.def>
 #undef VEL_ROW
 #undef VEL_GROUP
@@ -121,37 +121,24 @@ std::vector<Row> make_rows() {
 #undef VEL_FLOAT
 #undef VEL_ENUM
 #undef VEL_END
-#undef VEL_RENAMED
   return rows;
 }
 
+// Old keys of options that were renamed, which are understood until 0.2.
 struct Renamed {
   std::string_view before, now;
 };
-constexpr Renamed kRenamed[] = {
-#define VEL_GROUP(group, help)
-#define VEL_BOOL(group, name, value, help)
-#define VEL_INT(group, name, value, min, max, unit, help)
-#define VEL_COUNT(group, name, value, min, max, unit, help)
-#define VEL_FLOAT(group, name, value, min, max, unit, help)
-#define VEL_ENUM(group, name, Type, value, help)
-#define VEL_END(group)
-#define VEL_RENAMED(before, now) {before, now},
-#include <velarium/options.def>
-#undef VEL_GROUP
-#undef VEL_BOOL
-#undef VEL_INT
-#undef VEL_COUNT
-#undef VEL_FLOAT
-#undef VEL_ENUM
-#undef VEL_END
-#undef VEL_RENAMED
-};
+constexpr std::array kRenamed{Renamed{"lighting.sphere_highlights", "lighting.area_lights"},
+                              Renamed{"reference.glow", "reference.emissive_lighting"},
+                              Renamed{"sun_shadows.far", "far_shadows.kind"},
+                              Renamed{"sun_shadows.far_size", "far_shadows.size"},
+                              Renamed{"sun_shadows.reach", "sun_shadows.max_blocker_distance"},
+                              Renamed{"sun_shadows.static_size", "far_shadows.static_size"}};
 
 // The key that an option has now, with a warning where it is asked for by an old one.
 std::string_view current_key(std::string_view key) {
   const auto* renamed = std::ranges::find(kRenamed, key, &Renamed::before);
-  if (renamed == std::end(kRenamed)) return key;
+  if (renamed == kRenamed.end()) return key;
   log_warning("option {} is named {} now; the old name goes with version 0.2", key, renamed->now);
   return renamed->now;
 }
@@ -204,7 +191,6 @@ std::string_view option_group_help(std::string_view group) {
 #define VEL_FLOAT(group, name, value, min, max, unit, help)
 #define VEL_ENUM(group, name, Type, value, help)
 #define VEL_END(group)
-#define VEL_RENAMED(before, now)
 #include <velarium/options.def>
 #undef VEL_GROUP
 #undef VEL_BOOL
@@ -213,7 +199,6 @@ std::string_view option_group_help(std::string_view group) {
 #undef VEL_FLOAT
 #undef VEL_ENUM
 #undef VEL_END
-#undef VEL_RENAMED
   return {};
 }
 

@@ -1,4 +1,5 @@
 #include <velarium/error.hpp>
+#include <velarium/log.hpp>
 #include <velarium/options.hpp>
 
 #include <gtest/gtest.h>
@@ -18,6 +19,32 @@ std::string refusal(std::string_view key, std::string_view value) {
     return error.what();
   }
   return "accepted";
+}
+
+// Until 0.2. Each of them sets what the new key gives back, and says so.
+TEST(Options, OldKeysStillWorkWithAWarning) {
+  struct Row {
+    const char *before, *now, *value;
+  };
+  for (const auto& [before, now, value] :
+       {Row{"lighting.sphere_highlights", "lighting.area_lights", "off"},
+        Row{"reference.glow", "reference.emissive_lighting", "off"}, Row{"sun_shadows.far", "far_shadows.kind", "off"},
+        Row{"sun_shadows.far_size", "far_shadows.size", "512"},
+        Row{"sun_shadows.reach", "sun_shadows.max_blocker_distance", "25"},
+        Row{"sun_shadows.static_size", "far_shadows.static_size", "1024"}}) {
+    std::string warning;
+    set_log_sink([&](LogLevel level, std::string_view text) {
+      if (level == LogLevel::warning) warning = text;
+    });
+    Settings settings;
+    set_option(settings, before, value);
+    set_log_sink({});
+    EXPECT_EQ(get_option(settings, now), value);
+    EXPECT_NE(warning.find(before), std::string::npos) << warning;
+    EXPECT_NE(warning.find(now), std::string::npos) << warning;
+    const auto is_old = [&](const OptionInfo& option) { return option.key == std::string_view(before); };
+    EXPECT_TRUE(std::ranges::none_of(option_table(), is_old)) << before;
+  }
 }
 
 TEST(Options, EveryDefaultReadsBackAsItself) {
