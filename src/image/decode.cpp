@@ -7,11 +7,16 @@
 namespace velarium::image {
 namespace {
 
+// KTX File Format 2.0, section 3.1.
+constexpr std::string_view kKtx2Magic = "\xabKTX 20\xbb\r\n\x1a\n";
+
 bool starts_with(Bytes data, std::string_view magic, std::size_t offset = 0) {
   return data.size() >= offset + magic.size() && std::memcmp(data.data() + offset, magic.data(), magic.size()) == 0;
 }
 
 [[noreturn]] void not_an_image(Bytes data, const std::string& what) {
+  if (starts_with(data, kKtx2Magic))
+    throw Error(ErrorCode::unsupported, what, "is a KTX2 image, which this program does not support; export it as PNG");
   invalid(what, data.empty() ? "is empty" : "is not a PNG, JPEG or WebP image");
 }
 

@@ -147,5 +147,11 @@ TEST_F(Png, AMissingFolderIsReported) {
   expect_refused(ErrorCode::output_not_written, [&] { save_png(folder_ / "none" / "a.png", test_bytes(2, 2, true)); });
 }
 
+TEST(Formats, Ktx2IsNotSupported) {
+  const std::string file = std::string("\xabKTX 20\xbb\r\n\x1a\n") + std::string(68, '\0');
+  expect_refused(ErrorCode::unsupported, [&] { (void)decode(bytes(file), "test"); });
+  expect_refused(ErrorCode::unsupported, [&] { (void)peek_size(bytes(file), "test"); });
+}
+
 }  // namespace
 }  // namespace velarium::image
