@@ -30,8 +30,8 @@ gpu::Specialization specialization(const Illumination& in) {
   return constants;
 }
 
-std::uint64_t loop_iterations_per_light(const Illumination& in) {
-  return 1 + loop_iterations(in.local);
+std::uint64_t loop_iterations(const Illumination& in, std::uint64_t lights) {
+  return lights * (1 + loop_iterations(in.local));
 }
 
 }  // namespace velarium::passes

@@ -50,7 +50,7 @@ void declare(graph::Pass& pass, const Illumination& in, graph::Access access);
 void bind(graph::SetWriter& set, const Illumination& in);
 [[nodiscard]] gpu::Specialization specialization(const Illumination& in);
 
-// Turns of loops that one lit point may take for one punctual light: software drivers bound those of a thread.
-[[nodiscard]] std::uint64_t loop_iterations_per_light(const Illumination& in);
+// Turns of loops that one lit point may take under so many punctual lights: software drivers bound those of a thread.
+[[nodiscard]] std::uint64_t loop_iterations(const Illumination& in, std::uint64_t lights);
 
 }  // namespace velarium::passes

@@ -28,7 +28,10 @@ bool casts_shadow(const GpuLight& light) {
 
 Tables make_tables(gpu::Device& device, const GpuScene& scene, const scene::SceneSnapshot& snapshot,
                    const glm::dvec3& origin) {
-  Tables tables{.gpu = &scene, .origin = origin, .deformed = make_deformed(device, scene.scene(), snapshot)};
+  Tables tables{.gpu = &scene,
+                .snapshot = &snapshot,
+                .origin = origin,
+                .deformed = make_deformed(device, scene.scene(), snapshot)};
   tables.lights = gpu_lights(shining(snapshot.lights), origin, scene.projectors().pictures);
   if (tables.lights.size() > kMaxLights)
     throw Error(ErrorCode::unsupported, scene.scene().source,

@@ -10,6 +10,7 @@ namespace velarium::upload {
 // What a snapshot looks like from anywhere, on the device: the parts that all views of a picture share.
 struct Tables {
   const GpuScene* gpu = nullptr;
+  const scene::SceneSnapshot* snapshot = nullptr;  // what they were made of; techniques make tables of their own of it
   glm::dvec3 origin{0.0};  // world space of the scene, metres: where the device's world space has its origin
   DeformedVertices deformed;
   CasterTable casters;         // empty where no light casts shadows
@@ -24,6 +25,7 @@ struct Tables {
 
 // Lights that shine on nothing (no intensity) are left out. origin: the main eye, so that what stands near to it keeps
 // its digits. Throws Error(unsupported) for more than kMaxLights lights.
+// `scene` and `snapshot` must outlive the tables.
 [[nodiscard]] Tables make_tables(gpu::Device& device, const GpuScene& scene, const scene::SceneSnapshot& snapshot,
                                  const glm::dvec3& origin);
 

@@ -48,6 +48,10 @@ ViewMatrices view_matrices(const scene::CameraInstance& camera, float aspect) {
           .clip_from_view = scene::clip_from_view(camera.camera, aspect)};
 }
 
+Frustum frustum_of(const ViewMatrices& view) {
+  return frustum_of(clip_from_world(view));
+}
+
 glm::dvec3 eye_from_origin(const Tables& tables, const ViewMatrices& view) {
   return view.eye - tables.origin;
 }
@@ -55,8 +59,8 @@ glm::dvec3 eye_from_origin(const Tables& tables, const ViewMatrices& view) {
 View make_view(gpu::Device& device, const Tables& tables, const scene::SceneSnapshot& snapshot,
                const ViewMatrices& matrices, glm::uvec2 size, std::size_t sorted_triangles) {
   View view{.matrices = matrices, .size = size};
-  view.draws = make_draw_list(tables.gpu->scene(), snapshot, tables.origin, frustum_of(clip_from_world(matrices)),
-                              viewpoint(matrices), sorted_triangles);
+  view.draws = make_draw_list(tables.gpu->scene(), snapshot, tables.origin, frustum_of(matrices), viewpoint(matrices),
+                              sorted_triangles);
   view.objects = make_buffer(device, view.draws.objects, kStorage);
   if (!view.draws.sorted_indices.empty())
     view.sorted_indices = make_buffer(device, view.draws.sorted_indices, VK_BUFFER_USAGE_INDEX_BUFFER_BIT);

@@ -14,6 +14,9 @@ struct ViewMatrices {
 
 [[nodiscard]] ViewMatrices view_matrices(const scene::CameraInstance& camera, float aspect);
 
+// The planes between which this view sees anything, in the world space of the scene.
+[[nodiscard]] Frustum frustum_of(const ViewMatrices& view);
+
 // What one eye sees of the tables of a snapshot, on the device. Any number of views may share tables.
 struct View {
   ViewMatrices matrices;

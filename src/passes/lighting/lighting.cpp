@@ -25,11 +25,11 @@ constexpr std::uint32_t kThreadsOnHost = 16;
 // lights after that would be missing.
 constexpr std::uint64_t kMaxLoopIterations = 65535;
 
-// What one pixel may need: the loops over the lists, which have three parts, for each light those of its shadow, and
-// the march of one contact shadow.
+// What one pixel may need: the loops over the lists, which have three parts, those of illumination, and the march of
+// one contact shadow.
 std::uint64_t loop_iterations_per_pixel(const Inputs& in) {
   const std::uint64_t lights = in.illumination.scene.tables.light_ranges.count, words = lights / 32 + 3;
-  return words + lights * passes::loop_iterations_per_light(in.illumination) + in.contact.steps;
+  return words + passes::loop_iterations(in.illumination, lights) + in.contact.steps;
 }
 
 std::uint32_t threads_on_host(const Inputs& in) {
