@@ -2,6 +2,7 @@
 
 #include "frame/shadow_memory.hpp"
 #include "passes/accumulate/accumulate.hpp"
+#include "passes/ambient_lights/ambient_lights.hpp"
 #include "passes/area_lights/area_lights.hpp"
 #include "passes/contact_shadows/contact_shadows.hpp"
 #include "passes/display/display.hpp"
@@ -118,6 +119,7 @@ graph::GraphImage add_frame(graph::Graph& g, const FrameInputs& in) {
                              .model = s.lighting.model,
                              .multi_scatter = s.lighting.multi_scatter,
                              .environment = add_environment(g, in),
+                             .ambient_lights = ambient_lights::add(g, in.tables, in.view.matrices, s.ambient_lights),
                              .area_lights = area_lights::add(g, in.tables, s.lighting),
                              .projectors = projectors::reading(in.tables),
                              .clip_volumes = clip_volumes::reading(in.tables)};

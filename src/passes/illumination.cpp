@@ -31,7 +31,7 @@ gpu::Specialization specialization(const Illumination& in) {
 }
 
 std::uint64_t loop_iterations(const Illumination& in, std::uint64_t lights) {
-  return lights * (1 + loop_iterations(in.local));
+  return loop_iterations(in.ambient_lights) + lights * (1 + loop_iterations(in.local));
 }
 
 }  // namespace velarium::passes

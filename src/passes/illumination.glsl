@@ -5,6 +5,7 @@
 #ifndef VEL_PASSES_ILLUMINATION_GLSL
 #define VEL_PASSES_ILLUMINATION_GLSL
 
+#include "passes/ambient_lights/read.glsl"
 #include "passes/area_lights/area_lights_io.glsl"
 #include "passes/clip_volumes/read.glsl"
 #include "passes/environment/read.glsl"
@@ -55,7 +56,9 @@ vec3 environment_light(ShadingPoint p) {
   float n_dot_v = clamp(abs(dot(s.normal_ws, p.wo)), 0.0, 1.0);
   float occlusion = kOcclusion ? s.occlusion : 1.0;
   vec3 diffuse = s.albedo * environment_diffuse_weight(s.f0, specular, kModel) * irradiance * occlusion;
-  return environment.turn.x * (diffuse + specular * radiance * specular_occlusion(n_dot_v, occlusion, p.alpha));
+  vec3 light = environment.turn.x * (diffuse + specular * radiance * specular_occlusion(n_dot_v, occlusion, p.alpha));
+  // Ambient lights come last, over all that surrounds a point, and have one factor for diffuse and specular light.
+  return kAmbientLights ? light * ambient_factor(p.position_ws, s.normal_ws, occlusion) : light;
 }
 
 // --- the sun ------------------------------------------------------------------------------------------------------

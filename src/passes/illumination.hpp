@@ -3,6 +3,7 @@
 // Everything that a lit point reads: passes/illumination.glsl. A technique that lights points, or keeps light from
 // them, adds a member here, and none of the passes that shade changes.
 
+#include "passes/ambient_lights/read.hpp"
 #include "passes/area_lights/read.hpp"
 #include "passes/clip_volumes/read.hpp"
 #include "passes/environment/read.hpp"
@@ -22,6 +23,7 @@ struct Illumination {
   ShadingModel model = ShadingModel::gltf;
   bool multi_scatter = true;
   environment::Reading environment;
+  ambient_lights::Reading ambient_lights;
   area_lights::Reading area_lights;
   projectors::Reading projectors;
   clip_volumes::Reading clip_volumes;
@@ -35,6 +37,7 @@ struct Illumination {
 template <class F>
 void each(const Illumination& in, F f) {
   f(in.environment);
+  f(in.ambient_lights);
   f(in.area_lights);
   f(in.projectors);
   f(in.clip_volumes);

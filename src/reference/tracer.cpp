@@ -56,6 +56,8 @@ void note_scene(const Job& job, const std::vector<Object>& objects, const Lights
   if (objects.empty()) notes.emplace_back("the scene has no triangles: the picture shows what lies behind them");
   if (job.environment != nullptr && !lights.has_environment())
     notes.emplace_back("the environment is black and lights nothing");
+  if (job.settings.ambient_lights.enabled && !job.snapshot.ambient_lights.empty())
+    notes.emplace_back("ambient lights are left out: paths follow light that is there");
 }
 
 }  // namespace

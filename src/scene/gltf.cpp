@@ -73,6 +73,7 @@ Scene read_gltf(const std::filesystem::path& file, const GltfOptions& options) {
   gltf::read_scenes(context);
   gltf::read_animations(context, accessors);
   gltf::read_clip_volumes(context);
+  gltf::read_ambient_lights(context);
   gltf::read_images(context, buffers);
   gltf::complete_primitives(scene);
   scene.warnings = document.warnings();

@@ -53,6 +53,9 @@ void read_animations(Context& context, Accessors& accessors);
 // away.
 void read_clip_volumes(Context& context);
 
+// Volumes in which environment light is multiplied.
+void read_ambient_lights(Context& context);
+
 // Decodes, on all cores, the images that materials of the shown scene and lights use, each once.
 void read_images(Context& context, const Buffers& buffers);
 

@@ -205,6 +205,14 @@ struct ClipVolume {
   Aabb bounds;
 };
 
+// A volume in which environment light is multiplied: extras.ambient_light of a node. The sphere of `range` about the
+// node's origin, in the space of the node, whose scale makes it an ellipsoid.
+struct AmbientLight {
+  std::uint32_t node = 0;
+  glm::vec3 color{1.0f};  // linear, at the centre; above 1 brightens
+  float range = 1.0f;     // metres
+};
+
 // --- animation --------------------------------------------------------------------------------------------------
 
 enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
@@ -244,6 +252,7 @@ struct Scene {
   std::vector<Camera> cameras;
   std::vector<Light> lights;
   std::vector<ClipVolume> clip_volumes;
+  std::vector<AmbientLight> ambient_lights;
   std::vector<Animation> animations;
   std::vector<std::string> variants;  // KHR_materials_variants; primitives have the materials of the one asked for
   std::vector<std::string> extensions_used, extensions_required;

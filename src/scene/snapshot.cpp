@@ -93,6 +93,8 @@ class MomentBuilder {
     }
     for (const ClipVolume& volume : scene_.clip_volumes)
       snapshot_.world_from_clip_volume.push_back(world_[volume.node]);
+    for (const AmbientLight& light : scene_.ambient_lights)
+      if (shown[light.node]) snapshot_.ambient_lights.push_back({light, world_[light.node]});
     snapshot_.deformed = deformed_vertices(deformations_);
     for (Instance& instance : snapshot_.instances) {
       instance.bounds = object_bounds(instance).transformed(instance.world_from_object);

@@ -24,6 +24,11 @@ struct LightInstance {
   glm::vec3 right{1.0f, 0.0f, 0.0f};       // world space, unit, at right angles to it: +X of the node
 };
 
+struct AmbientLightInstance {
+  AmbientLight light;
+  glm::mat4 world_from_node{1.0f};
+};
+
 struct CameraInstance {
   Camera camera;                    // its name is the node's where the camera has none
   glm::mat4 world_from_view{1.0f};  // rigid: scale of the node tree removed
@@ -33,6 +38,7 @@ struct SceneSnapshot {
   std::vector<Instance> instances;  // in node order
   std::vector<VertexFrames> deformed;
   std::vector<LightInstance> lights;
+  std::vector<AmbientLightInstance> ambient_lights;  // of nodes that are shown
   std::vector<CameraInstance> cameras;
   std::vector<glm::mat4> world_from_clip_volume;  // by Scene::clip_volumes, whether their nodes are shown or not
   Aabb bounds;                                    // world space, of everything drawn; empty where nothing is

@@ -58,6 +58,7 @@ using glm::uintBitsToFloat;
   std::abort();
 }
 
+#include "shading/ambient_light.glsl"
 #include "shading/attenuation.glsl"
 #include "shading/brdf.glsl"
 #include "shading/cascades.glsl"

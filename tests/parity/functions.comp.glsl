@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "functions_io.glsl"
+#include "shading/ambient_light.glsl"
 #include "shading/brdf.glsl"
 #include "shading/clip_volume.glsl"
 #include "shading/contact_shadow.glsl"

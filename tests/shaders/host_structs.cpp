@@ -1,5 +1,6 @@
 #include "host_structs.hpp"
 
+#include "passes/ambient_lights/read.hpp"
 #include "passes/area_lights/read.hpp"
 #include "passes/contact_shadows/read.hpp"
 #include "passes/environment/read.hpp"
@@ -80,6 +81,8 @@ std::vector<HostStruct> host_structs() {
              MEMBER(cascade_count), MEMBER(translucent)),
       STRUCT(far_shadows::io::FarCascade, FarCascade, MEMBER(cascade), MEMBER(normal_offset), MEMBER(snap)),
       STRUCT(environment::io::Environment, Environment, MEMBER(background), MEMBER(turn), MEMBER(sh)),
+      STRUCT(shading::GpuAmbientLight, GpuAmbientLight, MEMBER(x), MEMBER(y), MEMBER(z), MEMBER(color)),
+      STRUCT(ambient_lights::io::AmbientLights, AmbientLights, MEMBER(count)),
       STRUCT(area_lights::io::AreaLights, AreaLights, MEMBER(min_highlight_alpha)),
       STRUCT(contact_shadows::io::ContactShadows, ContactShadows, MEMBER(longest), MEMBER(thickness)),
       STRUCT(caster::CasterPush, CasterPush, MEMBER(clip_from_world)),

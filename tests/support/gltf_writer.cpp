@@ -197,6 +197,11 @@ void GltfWriter::add_clip_box(const std::string& name, const glm::vec3& center, 
       {{"translation", json(center)}, {"extras", {{"clip_volume", {{"name", name}, {"half_size", json(half_size)}}}}}});
 }
 
+void GltfWriter::add_ambient_light(const glm::vec3& center, const glm::vec3& color, float range) {
+  add_child(
+      {{"translation", json(center)}, {"extras", {{"ambient_light", {{"color", json(color)}, {"range", range}}}}}});
+}
+
 void GltfWriter::add_orthographic_camera(const glm::vec3& eye, const glm::vec3& target, float half_height,
                                          float far_depth) {
   root_["cameras"].push_back(

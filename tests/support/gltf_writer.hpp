@@ -67,6 +67,8 @@ class GltfWriter {
   void add_light(const TestLight& light);
   // A box that lights may end at, by its name in their extras.
   void add_clip_box(const std::string& name, const glm::vec3& center, const glm::vec3& half_size);
+  // A sphere in which environment light is multiplied by a colour.
+  void add_ambient_light(const glm::vec3& center, const glm::vec3& color, float range);
   // Looks from `eye` to `target`; half of the height it sees, and the depths, in metres.
   void add_orthographic_camera(const glm::vec3& eye, const glm::vec3& target, float half_height, float far_depth);
 

@@ -85,6 +85,20 @@ TEST(Tracer, GlowThatLightsNothingIsSeen) {
   }
 }
 
+// They multiply light as no light does: what was traced without them says so.
+TEST(Tracer, AmbientLightsAreLeftOutWithANote) {
+  Tracing t = still_life();
+  t.settings.reference.spp = 1;
+  const auto without = t.run();
+  t.scene.ambient_lights = {{.node = 0, .color = glm::vec3(0.1f), .range = 100.0f}};
+  const auto with = t.run();
+  EXPECT_EQ(with.film.beauty(), without.film.beauty());
+  EXPECT_EQ(with.notes.size(), without.notes.size() + 1);
+  EXPECT_NE(with.notes.back().find("ambient lights are left out"), std::string::npos);
+  t.settings.ambient_lights.enabled = false;
+  EXPECT_EQ(t.run().notes.size(), without.notes.size());
+}
+
 TEST(Tracer, MorePathsContinueFewer) {
   Tracing t = still_life();
   t.settings.reference.spp = 1;
