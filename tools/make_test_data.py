@@ -309,6 +309,27 @@ def clip_volumes():
     return g
 
 
+def ambient_lights():
+    """Balls of paint, plastic and metal in a row before a wall: a cool ellipsoid darkens the left end, a warm sphere
+    brightens the right one."""
+    g = Gltf()
+    grey = g.material([0.6, 0.6, 0.6, 1], roughness=0.8)
+    g.node(mesh=g.mesh(g.primitive(**ground(8), material=grey)))
+    g.node(mesh=g.mesh(g.primitive(**quad(8, 4), material=grey)), translation=[0, 2, -1])
+    ball = g.primitive(**sphere(0.4, 20, 40))
+    for k, (metallic, roughness) in enumerate(((0, 1), (0, 0.2), (1, 0.15)) * 2):
+        material = g.material([0.75, 0.7, 0.65, 1], metallic=float(metallic), roughness=roughness)
+        g.node(mesh=g.mesh(dict(ball, material=material)), translation=[0.9 * (k - 2.5), 0.4, 0])
+    for name, place, scale, color in (
+        ("shade", [-1.35, 0.5, 0.2], [1.2, 0.7, 0.8], [0.1, 0.15, 0.25]),
+        ("glow", [1.35, 1, 0.8], [1, 1, 1], [3, 2.2, 1.2]),
+    ):
+        light = {"color": [single(c) for c in color], "range": 2}
+        g.node(name=name, translation=place, scale=scale, extras={"ambient_light": light})
+    g.camera([0, 1.6, 6.8], [0, 0.6, 0])
+    return g
+
+
 def area_lights():
     """A bulb of 25 cm over a floor and metal balls from smooth to rough, and a far disc of 6 degrees. No shadows."""
     g = Gltf()
@@ -779,6 +800,7 @@ SCENES = [
     blend_layers,
     lights,
     clip_volumes,
+    ambient_lights,
     area_lights,
     projectors,
     texture_transform,

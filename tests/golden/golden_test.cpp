@@ -74,6 +74,7 @@ constexpr Golden kGoldens[] = {
     {.name = "blend_layers_over_color", .scene = "blend_layers.gltf", .background = Background::color},
     {.name = "lights", .scene = "lights.gltf"},
     {.name = "clip_volumes", .scene = "clip_volumes.gltf"},
+    {.name = "ambient_lights", .scene = "ambient_lights.gltf"},
     {.name = "area_lights", .scene = "area_lights.gltf"},
     {.name = "projectors", .scene = "projectors.gltf"},
     {.name = "boxes_sheet_sun", .scene = "builtin:boxes?radius=30"},
