@@ -27,6 +27,7 @@ gpu::Image make_image(gpu::Device& device, const gpu::ImageDesc& desc, std::span
 gpu::Image make_brdf_table(gpu::Device& device, std::uint32_t model) {
   const auto values = bake::cached_environment_brdf(kBrdfTableSize, model);
   std::vector<std::uint32_t> packed;
+  packed.reserve(values.size());
   for (const auto& value : values)
     packed.push_back(glm::packHalf1x16(value.x) | std::uint32_t{glm::packHalf1x16(value.y)} << 16u);
   return make_image(device, {.format = VK_FORMAT_R16G16_SFLOAT, .width = kBrdfTableSize, .height = kBrdfTableSize},

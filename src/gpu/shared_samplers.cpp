@@ -26,6 +26,7 @@ constexpr std::array<Shared, SharedSamplers::kCount> kShared{
 
 SharedSamplers::SharedSamplers(Device& device, SamplerCache& samplers) : device_(device) {
   std::vector<VkSampler> immutable;
+  immutable.reserve(kShared.size());
   for (const auto& shared : kShared) immutable.push_back(samplers.get(shared.desc));
   std::vector<VkDescriptorSetLayoutBinding> bindings;
   for (std::size_t i = 0; i < kShared.size(); ++i)

@@ -38,7 +38,8 @@ std::vector<double> Timers::read() const {
         "vkGetQueryPoolResults");
   std::vector<double> ms(intervals_);
   for (std::uint32_t i = 0; i < intervals_; ++i)
-    ms[i] = static_cast<double>(ticks[2 * i + 1] - ticks[2 * i]) * device_.caps().timestamp_ns * 1e-6;
+    ms[i] = static_cast<double>(ticks[2 * std::size_t{i} + 1] - ticks[2 * std::size_t{i}]) *
+            device_.caps().timestamp_ns * 1e-6;
   return ms;
 }
 

@@ -25,6 +25,7 @@ std::vector<float> relative_totals(const std::vector<Distribution1d>& columns) {
   double largest = 0.0;
   for (const auto& row : columns) largest = std::max(largest, row.total());
   std::vector<float> totals;
+  totals.reserve(columns.size());
   for (const auto& row : columns) totals.push_back(largest > 0.0 ? static_cast<float>(row.total() / largest) : 0.0f);
   return totals;
 }

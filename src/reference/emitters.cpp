@@ -11,8 +11,6 @@
 namespace velarium::reference {
 namespace {
 
-using shading::kPi;
-
 // Where a triangle's emission is looked up for its mean: the centre, and half way from there to each corner. Each
 // lookup reads the mip whose texels are as large as the triangle's quarters, so little escapes.
 constexpr std::array<glm::vec2, 4> kPlaces{glm::vec2(1.0f / 3.0f), glm::vec2(2.0f / 3.0f, 1.0f / 6.0f),

@@ -54,8 +54,8 @@ float mean_luminance(const image::FloatImage& image) {
   for (std::uint32_t y = 0; y < image.height; ++y) {
     const double weight = std::sin((y + 0.5) * static_cast<double>(kPi) / image.height);
     const float* row = &image.rgba[4 * std::size_t{y} * image.width];
-    for (std::uint32_t x = 0; x < image.width; ++x)
-      sum += weight * static_cast<double>(shading::luminance({row[4 * x], row[4 * x + 1], row[4 * x + 2]}));
+    for (std::uint32_t x = 0; x < image.width; ++x, row += 4)
+      sum += weight * static_cast<double>(shading::luminance({row[0], row[1], row[2]}));
     weights += weight * image.width;
   }
   return weights > 0.0 ? static_cast<float>(sum / weights) : 0.0f;

@@ -82,7 +82,7 @@ void widen_unsigned(const Elements& elements, Component component, std::uint32_t
     std::memcpy(out, elements.first, static_cast<std::size_t>(elements.count) * elements.stride);
     return;
   }
-  const std::uint32_t size = component == Component::u8 ? 1 : component == Component::u16 ? 2 : 4;
+  const std::size_t size = component == Component::u8 ? 1 : component == Component::u16 ? 2 : 4;
   for (std::uint32_t i = 0; i < elements.count; ++i) {
     const std::byte* element = elements.first + static_cast<std::size_t>(i) * elements.stride;
     for (std::uint32_t c = 0; c < components; ++c) {

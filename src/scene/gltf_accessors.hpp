@@ -65,7 +65,7 @@ class Accessors {
   template <class Element>
   [[nodiscard]] std::vector<Element> read_floats(const Accessor& accessor) {
     std::vector<Element> out = allocate<Element>(accessor);
-    fill_floats(accessor, reinterpret_cast<float*>(out.data()), out.size() * (sizeof(Element) / sizeof(float)));
+    fill_floats(accessor, reinterpret_cast<float*>(out.data()), out.size() * sizeof(Element) / sizeof(float));
     return out;
   }
   // Unsigned scalars, and vectors of four shorts, widened.
@@ -88,7 +88,8 @@ class Accessors {
   void read_sparse(const Value& sparse, Accessor& accessor);
   template <class Element>
   [[nodiscard]] std::vector<Element> allocate(const Accessor& accessor) {
-    claim(accessor.at, accessor.elements.count * std::max<std::uint64_t>(1, sizeof(Element) / sizeof(glm::vec4)));
+    constexpr std::uint64_t kClaimed = sizeof(glm::vec4);
+    claim(accessor.at, accessor.elements.count * std::max<std::uint64_t>(1, sizeof(Element) / kClaimed));
     return std::vector<Element>(accessor.elements.count);
   }
   static void fill_floats(const Accessor& accessor, float* out, std::size_t float_count);

@@ -47,10 +47,14 @@ std::vector<std::byte> values_of(const Value& id, const draco::PointAttribute& a
 }
 
 std::vector<std::byte> indices_of(const draco::Mesh& mesh) {
-  std::vector<std::byte> out(mesh.num_faces() * sizeof(draco::Mesh::Face));
-  static_assert(sizeof(draco::Mesh::Face) == 3 * sizeof(std::uint32_t));
+  std::vector<std::byte> out(3 * sizeof(std::uint32_t) * mesh.num_faces());
+  std::byte* next = out.data();
   for (std::uint32_t i = 0; i < mesh.num_faces(); ++i) {
-    std::memcpy(out.data() + i * sizeof(draco::Mesh::Face), &mesh.face(draco::FaceIndex(i)), sizeof(draco::Mesh::Face));
+    for (const draco::PointIndex corner : mesh.face(draco::FaceIndex(i))) {
+      const std::uint32_t index = corner.value();
+      std::memcpy(next, &index, sizeof(index));
+      next += sizeof(index);
+    }
   }
   return out;
 }

@@ -110,7 +110,7 @@ fs::path resolved_file(const Value& uri, const fs::path& relative, const GltfOpt
   std::error_code folder_error, file_error;
   const fs::path base = uri.file().has_parent_path() ? uri.file().parent_path() : fs::path(".");
   const fs::path folder = fs::canonical(base, folder_error);
-  const fs::path file = fs::weakly_canonical(base / relative, file_error);
+  fs::path file = fs::weakly_canonical(base / relative, file_error);
   if (folder_error || file_error) {
     throw Error(ErrorCode::input_missing, uri.file(),
                 fmt::format("{}: cannot find '{}': {}", uri.pointer(), relative.string(),

@@ -81,6 +81,7 @@ void sort_opaque(std::vector<Candidate>& candidates) {
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return nearest[a] < nearest[b]; });
   std::vector<Candidate> sorted;
+  sorted.reserve(order.size());
   for (const std::size_t i : order) sorted.push_back(candidates[i]);
   candidates = std::move(sorted);
 }

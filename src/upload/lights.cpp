@@ -75,6 +75,7 @@ glm::vec4 bounding_sphere(const GpuLight& light) {
 std::vector<GpuLight> gpu_lights(const std::vector<scene::LightInstance>& lights, const glm::dvec3& origin,
                                  std::span<const scene::Projector> pictures) {
   std::vector<GpuLight> result;
+  result.reserve(lights.size());
   for (const auto& instance : lights) result.push_back(gpu_light(instance, origin, pictures));
   std::stable_sort(result.begin(), result.end(),
                    [](const GpuLight& a, const GpuLight& b) { return a.direction.w < b.direction.w; });

@@ -89,8 +89,9 @@ void make_mip_of(const ColorCodec& color, const TexelRows& from, const TexelRows
     auto* out = reinterpret_cast<std::uint8_t*>(to.first + y * to.pitch);
     for (std::uint32_t x = 0; x < to.width; ++x, out += 4) {
       if (exact) {
-        for (std::uint32_t c = 0; c < 3; ++c) out[c] = mean(color, upper + 8 * x + c, lower + 8 * x + c);
-        out[3] = mean(alpha, upper + 8 * x + 3, lower + 8 * x + 3);
+        for (std::uint32_t c = 0; c < 3; ++c) out[c] = mean(color, upper + c, lower + c);
+        out[3] = mean(alpha, upper + 3, lower + 3);
+        upper += 8, lower += 8;
         continue;
       }
       for (std::uint32_t c = 0; c < 3; ++c) out[c] = filtered(color, upper + c, lower + c, columns[x], rows[y].weight);

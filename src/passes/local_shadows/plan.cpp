@@ -49,6 +49,7 @@ MapDraw map_draw(const View& view, const Tile& tile, const glm::dvec3& origin) {
 
 std::vector<std::uint32_t> sizes_of(const std::vector<View>& views, const Settings& settings) {
   std::vector<WantedTile> wanted;
+  wanted.reserve(views.size());
   for (const auto& view : views) wanted.push_back({view.light, wanted_size(view, settings), view.importance});
   return fitting_sizes(wanted, atlas_side(settings), kSmallestTile);
 }

@@ -45,6 +45,7 @@ std::vector<PlacedView> place(State& state, const upload::Tables& tables, const 
   state.scene_id = tables.gpu->id();
   if (settings.updates == 0) return place_views(views, settings);
   std::vector<std::uint64_t> fingerprints;
+  fingerprints.reserve(views.size());
   for (const View& view : views)
     fingerprints.push_back(fingerprint(view, tables.origin, tables.casters, settings.translucent));
   return state.keeper.place(views, fingerprints, tables.origin, settings, static_cast<std::uint32_t>(settings.updates));
