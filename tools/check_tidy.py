@@ -5,7 +5,8 @@ usage: check_tidy.py [ROOT]
 
 Takes compile commands from build/release, which must have been configured and built: generated headers are among what the
 sources include. Precompiled headers are left out, which g++ writes and clang cannot read. Reading headers takes most of
-clang-tidy's time, so neighbouring files are checked as one unit, as far as they can be compiled together. Prints the findings, and exits with 1 where there is any. ./run tidy does all of that.
+clang-tidy's time, so neighbouring files are checked as one unit, as far as they can be compiled together. Prints the findings,
+and exits with 1 where there is any. ./run tidy does all of that.
 """
 
 import collections
@@ -102,10 +103,10 @@ class Checker:
         with open(unit, "w", encoding="utf-8") as out:
             out.writelines(f'#include "{path}"\n' for path in files)
         found = self.run(unit, self.flags[files[0]])
-        errors = "".join(finding for finding in found if "[clang-diagnostic-error]" in finding)
+        errors = tuple(finding for finding in found if "[clang-diagnostic-error]" in finding)
         if not errors:
             return found
-        later = [path for path in files if path + ":" in errors] or files[1:]
+        later = [path for path in files if any(error.startswith(path + ":") for error in errors)] or files[1:]
         sooner = [path for path in files if path not in later] or [later.pop(0)]
         return [*self.check_unit(name + "_a", sooner), *self.check_unit(name + "_b", later)]
 

@@ -88,8 +88,8 @@ class Accessors {
   void read_sparse(const Value& sparse, Accessor& accessor);
   template <class Element>
   [[nodiscard]] std::vector<Element> allocate(const Accessor& accessor) {
-    constexpr std::uint64_t kClaimed = sizeof(glm::vec4);
-    claim(accessor.at, accessor.elements.count * std::max<std::uint64_t>(1, sizeof(Element) / kClaimed));
+    constexpr std::uint64_t kClaimedSize = sizeof(glm::vec4);  // a larger element, such as a matrix, counts as several
+    claim(accessor.at, accessor.elements.count * std::max<std::uint64_t>(1, sizeof(Element) / kClaimedSize));
     return std::vector<Element>(accessor.elements.count);
   }
   static void fill_floats(const Accessor& accessor, float* out, std::size_t float_count);
