@@ -17,5 +17,7 @@ velarium_swiftshader_test(furnace)
 velarium_swiftshader_test(bake --gtest_filter=*.AConstantStaysConstant)  # all of them take two minutes
 velarium_swiftshader_test(pictures)
 velarium_swiftshader_test(golden)
+# The longest start first. SwiftShader compiles pipelines on one processor, which leaves the others to other tests.
+set_tests_properties(swiftshader_pictures swiftshader_golden PROPERTIES COST 1000)
 set_tests_properties(swiftshader_golden PROPERTIES
                      ENVIRONMENT VELARIUM_GOLDEN_OUT=${CMAKE_CURRENT_BINARY_DIR}/golden_on_swiftshader)

@@ -24,7 +24,7 @@ float power_of(const Object& object, std::uint32_t triangle, const Materials& ma
     const SurfacePoint p = surface_point(object, triangle, place.x, place.y);
     area = p.area_m2;
     const Footprint footprint{0.5f * std::sqrt(p.area_m2), 0.5f};
-    sum += materials.emission(p, footprint) * materials.veil(p, footprint).opacity;
+    sum += materials.emission(p, footprint) * materials.transparency(p, footprint).opacity;
   }
   const float sides = materials.double_sided(object.material) ? 2.0f : 1.0f;
   const float power = shading::luminance(sum) / kPlaces.size() * area * sides;
@@ -85,7 +85,7 @@ std::optional<Emitters::Sample> Emitters::sample(const glm::vec3& position, floa
   sample.pdf_m2 = chosen.probability / p.area_m2;
   // The largest mip: what the eye would see from near.
   const Footprint sharp{0.0f, chosen.rest};
-  sample.radiance = materials_.emission(p, sharp) * materials_.veil(p, sharp).opacity;
+  sample.radiance = materials_.emission(p, sharp) * materials_.transparency(p, sharp).opacity;
   return sample;
 }
 

@@ -59,7 +59,7 @@ struct Geometry::Context {
   RTCIntersectContext embree;  // first: filters find the rest behind it
   const Geometry* geometry;
   const Ray* ray;
-  Veils veils;
+  TransparentHits transparent;
 
   Context(const Geometry* g, const Ray* r) : embree{}, geometry(g), ray(r) {
     rtcInitIntersectContext(&embree);
@@ -142,11 +142,11 @@ void Geometry::check(const char* doing) const {
   throw Error(ErrorCode::internal, fmt::format("{}: Embree reports error {}", doing, static_cast<int>(error)));
 }
 
-glm::vec3 Veils::dye_from(float distance) const {
-  glm::vec3 dye(1.0f);
+glm::vec3 TransparentHits::tint_before(float distance) const {
+  glm::vec3 tint(1.0f);
   for (const One& one : passed)
-    if (one.distance < distance) dye *= one.dye;
-  return dye;
+    if (one.distance < distance) tint *= one.tint;
+  return tint;
 }
 
 Found Geometry::closest(const Ray& ray) const {
@@ -154,9 +154,9 @@ Found Geometry::closest(const Ray& ray) const {
   RTCRayHit found{embree_ray(ray), {}};
   found.hit.geomID = found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(top_.get(), &context.embree, &found);
-  if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {std::nullopt, std::move(context.veils)};
+  if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {std::nullopt, std::move(context.transparent)};
   const std::uint32_t object = found.hit.instID[0] == RTC_INVALID_GEOMETRY_ID ? found.hit.geomID : found.hit.instID[0];
-  return {Hit{object, found.hit.primID, found.hit.u, found.hit.v, found.ray.tfar}, std::move(context.veils)};
+  return {Hit{object, found.hit.primID, found.hit.u, found.hit.v, found.ray.tfar}, std::move(context.transparent)};
 }
 
 glm::vec3 Geometry::transmitted(const Ray& ray) const {
@@ -164,7 +164,7 @@ glm::vec3 Geometry::transmitted(const Ray& ray) const {
   RTCRay r = embree_ray(ray);
   rtcOccluded1(top_.get(), &context.embree, &r);
   if (r.tfar < 0.0f) return glm::vec3(0.0f);
-  return context.veils.dye_from(std::numeric_limits<float>::infinity());
+  return context.transparent.tint_before(std::numeric_limits<float>::infinity());
 }
 
 bool Geometry::lets_through(Context& context, std::uint32_t object, std::uint32_t triangle, float u, float v,
@@ -172,9 +172,9 @@ bool Geometry::lets_through(Context& context, std::uint32_t object, std::uint32_
   const SurfacePoint p = surface_point(objects_[object], triangle, u, v);
   const std::uint32_t fate = fate_of(context.ray->chance, object, triangle);
   const Footprint footprint{context.ray->cone_at(distance), shading::hash_to_float(fate)};
-  const Veil veil = materials_.veil(p, footprint);
-  if (shading::unit_float(fate) < veil.opacity) return false;
-  if (veil.dye != glm::vec3(1.0f)) context.veils.passed.push_back({distance, veil.dye});
+  const Transparency transparency = materials_.transparency(p, footprint);
+  if (shading::unit_float(fate) < transparency.opacity) return false;
+  if (transparency.tint != glm::vec3(1.0f)) context.transparent.passed.push_back({distance, transparency.tint});
   return true;
 }
 

@@ -30,20 +30,20 @@ struct Ray {
 };
 
 // Blended triangles that a ray went through, in no order, and some perhaps behind what stopped it.
-struct Veils {
+struct TransparentHits {
   struct One {
     float distance;
-    glm::vec3 dye;
+    glm::vec3 tint;
   };
   std::vector<One> passed;
 
   // What multiplies light that comes from this far.
-  [[nodiscard]] glm::vec3 dye_from(float distance) const;
+  [[nodiscard]] glm::vec3 tint_before(float distance) const;
 };
 
 struct Found {
   std::optional<Hit> hit;
-  Veils veils;
+  TransparentHits transparent;
 };
 
 // Triangles in a hierarchy of boxes. Equal scenes give equal hits, whatever the number of threads.

@@ -24,7 +24,7 @@ bool casts_shadow(const GpuLight& light) {
   return (light.flags & shading::kLightCastsShadow) != 0;
 }
 
-// How far a ray along wi goes before it enters a light of some size, or the sun's disc, which is infinitely far.
+// How far a ray along wi goes before it enters an area light, or the sun's disc, which is infinitely far.
 // Nothing where it misses.
 std::optional<float> entry_distance(const GpuLight& light, const vec3& position, const vec3& wi) {
   if (shading::is_directional(light)) {

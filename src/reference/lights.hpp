@@ -98,7 +98,7 @@ class Lights {
   std::vector<shading::GpuLight> punctual_;
   std::vector<MipChain> projectors_;
   std::span<const glm::vec4> clip_records_;
-  std::vector<std::size_t> spheres_;  // lights of some size
+  std::vector<std::size_t> spheres_;  // area lights
   std::optional<EnvironmentLight> environment_;
   float environment_irradiance_ = 0.0f;  // its mean over all directions
   Emitters emitters_;

@@ -67,14 +67,14 @@ bool Materials::may_emit(std::uint32_t material) const {
   return m.unlit ? glm::vec3(m.base_color) != glm::vec3(0.0f) : m.emissive != glm::vec3(0.0f);
 }
 
-Veil Materials::veil(const SurfacePoint& p, const Footprint& footprint) const {
+Transparency Materials::transparency(const SurfacePoint& p, const Footprint& footprint) const {
   const Material& m = of(p);
   if (m.source->alpha_mode == scene::AlphaMode::opaque) return {};
   Reader reader(p, footprint);
   const glm::vec4 color = base_color(m, reader);
   if (m.source->alpha_mode == scene::AlphaMode::mask) return {color.w < m.source->alpha_cutoff ? 0.0f : 1.0f};
   const glm::vec4 bounded = glm::clamp(color, 0.0f, 1.0f);
-  return {bounded.w, shading::blend_dye(glm::vec3(bounded), bounded.w)};
+  return {bounded.w, shading::blend_tint(glm::vec3(bounded), bounded.w)};
 }
 
 glm::vec3 Materials::emission(const SurfacePoint& p, const Footprint& footprint) const {

@@ -18,10 +18,10 @@ struct Footprint {
   float choice = 0.0f;   // as BoundTexture::sample
 };
 
-// How a surface stands in the way of light.
-struct Veil {
+// How much light passes a surface.
+struct Transparency {
   float opacity = 1.0f;  // the share of rays that it stops: 0 or 1 for MASK, any for BLEND
-  glm::vec3 dye{1.0f};   // what multiplies those that pass
+  glm::vec3 tint{1.0f};  // what multiplies those that pass
 };
 
 // A surface point, ready to be lit.
@@ -42,7 +42,7 @@ class Materials {
   // Whether triangles of this material may give light of their own.
   [[nodiscard]] bool may_emit(std::uint32_t material) const;
 
-  [[nodiscard]] Veil veil(const SurfacePoint& p, const Footprint& footprint) const;
+  [[nodiscard]] Transparency transparency(const SurfacePoint& p, const Footprint& footprint) const;
   // The light that the surface gives towards its front, and the back where it is double-sided; opacity left out.
   [[nodiscard]] glm::vec3 emission(const SurfacePoint& p, const Footprint& footprint) const;
   // front: which side was hit. A surface that is not double-sided is lit from behind as if it were, but emits nothing.

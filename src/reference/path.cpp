@@ -123,11 +123,11 @@ PathSample PathTracer::trace(uvec2 pixel, std::uint32_t sample) const {
 void PathTracer::follow(Path& path) const {
   while (true) {
     path.ray.chance = path.next_chance();
-    const auto [hit, veils] = world_.geometry.closest(path.ray);
+    const auto [hit, transparent] = world_.geometry.closest(path.ray);
     const float reach = hit ? hit->distance : std::numeric_limits<float>::infinity();
-    if (transport_.shadows) add_spheres(path, veils, reach);
+    if (transport_.shadows) add_spheres(path, transparent, reach);
     // What is seen is mixed by coverage, as the picture's alpha has it; light that arrives is dyed as well.
-    if (path.reflections > 0) path.throughput *= veils.dye_from(reach);
+    if (path.reflections > 0) path.throughput *= transparent.tint_before(reach);
     if (!hit) {
       if (path.reflections == 0) return add_background(path);
       if (transport_.shadows) add_environment(path);
@@ -182,12 +182,12 @@ void PathTracer::add_environment(Path& path) const {
            transport_.clamp);
 }
 
-void PathTracer::add_spheres(Path& path, const Veils& veils, float distance) const {
+void PathTracer::add_spheres(Path& path, const TransparentHits& transparent, float distance) const {
   if (path.reflections == 0 || !world_.lights.has_spheres()) return;
   world_.lights.for_each_sphere(
       path.receiver, path.chances, path.ray.direction, distance, [&](const Lights::SphereHit& hit) {
-        path.add(balance(path.pdf_sr, hit.pdf_sr) * hit.radiance * veils.dye_from(hit.distance), path.reflections,
-                 transport_.clamp);
+        path.add(balance(path.pdf_sr, hit.pdf_sr) * hit.radiance * transparent.tint_before(hit.distance),
+                 path.reflections, transport_.clamp);
       });
 }
 

@@ -67,7 +67,7 @@ class PathTracer {
   [[nodiscard]] Vertex vertex_at(const Path& path, const Hit& hit) const;
   void add_background(Path& path) const;
   void add_environment(Path& path) const;
-  void add_spheres(Path& path, const Veils& veils, float distance) const;
+  void add_spheres(Path& path, const TransparentHits& transparent, float distance) const;
   void add_emission(Path& path, const Hit& hit, const Vertex& vertex) const;
   void add_light(Path& path, const Vertex& vertex, const Draws& draws) const;
   [[nodiscard]] bool reflect(Path& path, const Vertex& vertex, const Draws& draws) const;

@@ -29,7 +29,7 @@ FN float sin2_of_half_vector(vec3 n, vec3 h) {
   return dot(n, h) > 0.0f ? min(dot(n_cross_h, n_cross_h), 1.0f) : 1.0f;
 }
 
-// evaluate_brdf() for a light of some size about wi. n_dot_l: what stands for n.wi, clipped by the horizon; 0 gives
+// evaluate_brdf() for an area light about wi. n_dot_l: what stands for n.wi, clipped by the horizon; 0 gives
 // black. bent_half: unit, the half vector that the distribution of microfacets is asked for; v_dot_h: what Fresnel is.
 FN vec3 evaluate_brdf_bent(IN(Surface) s, float alpha, vec3 wo, vec3 wi, float n_dot_l, vec3 bent_half, float v_dot_h,
                            vec3 specular_scale, uint model) {

@@ -1,4 +1,4 @@
-// Lights of some size, as lit points read them.
+// Area lights, as lit points read them.
 #ifndef VEL_PASSES_AREA_LIGHTS_AREA_LIGHTS_IO_GLSL
 #define VEL_PASSES_AREA_LIGHTS_AREA_LIGHTS_IO_GLSL
 

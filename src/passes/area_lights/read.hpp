@@ -10,7 +10,7 @@ using namespace shading;
 #include "passes/area_lights/area_lights_io.glsl"
 }  // namespace io
 
-// Lights of some size as lit points read them.
+// Area lights as lit points read them.
 struct Reading {
   bool any = false;          // some light has a size, and is mirrored as round as it is
   graph::GraphBuffer table;  // io::AreaLights

@@ -27,10 +27,10 @@ TEST(Translucency, ThinnerSheetsDyeLess) {
   const vec3 blue(0.1f, 0.2f, 0.9f);
   float before = 1.0f;
   for (const float alpha : {0.1f, 0.4f, 0.7f, 0.95f}) {
-    const vec3 dye = blend_dye(blue, alpha);
-    EXPECT_LT(dye.x, before);
-    EXPECT_FLOAT_EQ(dye.z, 1.0f);
-    before = dye.x;
+    const vec3 tint = blend_tint(blue, alpha);
+    EXPECT_LT(tint.x, before);
+    EXPECT_FLOAT_EQ(tint.z, 1.0f);
+    before = tint.x;
   }
 }
 
@@ -42,7 +42,7 @@ TEST(Translucency, VeilsLieBelowTheirOwnSurface) {
   EXPECT_EQ(translucency_depth(0.1f, {0.2f, 0.0f}), 0.0f);
 }
 
-TEST(Translucency, OnlyWhatLiesBehindAVeilIsDyed) {
+TEST(Translucency, OnlyWhatLiesBehindASheetIsDyed) {
   const vec4 texel(0.5f, 0.25f, 0.125f, 0.4f);
   const vec3 opaque(1.0f);
   EXPECT_EQ(map_transmittance(texel, 0.39f, opaque), vec3(0.5f, 0.25f, 0.125f));
