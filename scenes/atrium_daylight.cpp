@@ -113,7 +113,7 @@ void measure_daylight(Scene& scene) {
     if (firsts[instance.primitive] == nullptr) firsts[instance.primitive] = &instance;
   }
   parallel_for(scene.primitives.size(), [&](std::size_t i) {
-    measure(scene.primitives[i], firsts[i] != nullptr ? firsts[i]->world_from_object : glm::mat4(1.0f));
+    measure(scene.primitives[i], firsts[i] != nullptr ? glm::mat4(firsts[i]->world_from_object) : glm::mat4(1.0f));
   });
 }
 

@@ -126,6 +126,8 @@ void Info::declare(CLI::App& verb) {
   verb.add_flag("--json", json_, "as JSON");
   flags_->add({"--allow-outside-files", "", "a scene may name files outside its own folder",
                [this](const std::string&) { load_.allow_outside_files = true; }});
+  flags_->add({"--strict", "", "refuse a scene that breaks the rules of glTF, also where a repair would do",
+               [this](const std::string&) { load_.strict = true; }});
   add_verbosity_flags(verb);
 }
 

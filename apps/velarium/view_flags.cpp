@@ -91,6 +91,8 @@ void add_view_flags(Flags& flags, View& view) {
              [&view](const std::string&) { view.engine.validation = true; }});
   flags.add({"--allow-outside-files", "", "a scene may name files outside its own folder",
              [&view](const std::string&) { view.load.allow_outside_files = true; }});
+  flags.add({"--strict", "", "refuse a scene that breaks the rules of glTF, also where a repair would do",
+             [&view](const std::string&) { view.load.strict = true; }});
 }
 
 void finish_view(View& view) {

@@ -19,6 +19,7 @@ struct Scene;
 
 struct LoadOptions {
   bool allow_outside_files = false;  // may a scene name files outside its own folder?
+  bool strict = false;               // refuse breaches of glTF that would be read with a warning
   std::string variant;               // of the materials: a name or index; "none" or empty: the usual ones
   // Group `load` of options.def; what exceeds one is refused before memory is asked for.
   Settings::load_settings limits;
@@ -38,7 +39,10 @@ struct SceneInfo {
   struct Camera {
     std::string name;
     std::string kind;
-    float near_m;  // where gbuffer.depth is 1; perspective: it is near_m / distance along the view axis
+    // Distances along the view axis at which gbuffer.depth is 1 and 0; far_m is infinite where a perspective view has
+    // no end. At distance d it is, perspective, near_m / d without an end, else near_m (far_m - d) / (d (far_m -
+    // near_m)); orthographic, (far_m - d) / (far_m - near_m).
+    float near_m, far_m;
   };
   struct Light {
     std::string name;

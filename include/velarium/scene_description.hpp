@@ -127,7 +127,7 @@ struct CameraDescription {
   float orthographic_height_m = 0.0f;   // that an orthographic camera sees; 0: perspective, by the field of view
   float aspect = 0.0f;  // width / height of what it frames; 0: the picture's, or 1 of an orthographic camera
   float near_m = 0.0f;  // nothing nearer is seen; 0: chosen (perspective), or 0
-  float far_m = 0.0f;   // nothing farther is seen, more than near_m; perspective: of no meaning, as it has no end
+  float far_m = 0.0f;   // nothing farther is seen, more than near_m; 0: no end (perspective)
 };
 
 struct SceneDescription {

@@ -65,8 +65,9 @@ void count_moment(const scene::Scene& scene, SceneInfo& info) {
   const auto snapshot = scene::snapshot_at(scene, 0.0f, "");
   for (const auto& instance : snapshot.instances) count_primitive(scene.primitives[instance.primitive], info);
   for (const auto& [camera, matrix] : snapshot.cameras)
-    info.cameras.push_back(
-        {camera.name, camera.kind == scene::Camera::Kind::perspective ? "perspective" : "orthographic", camera.z_near});
+    info.cameras.push_back({camera.name,
+                            camera.kind == scene::Camera::Kind::perspective ? "perspective" : "orthographic",
+                            camera.z_near, camera.z_far});
   for (const auto& [light, position, direction, right] : snapshot.lights)
     info.lights.push_back({light.name, kind_name(light.kind), to_array(light.color), light.intensity});
   if (snapshot.bounds.empty()) return;
@@ -98,9 +99,11 @@ Scene Scene::load(const std::filesystem::path& file, const LoadOptions& options)
     if (!options.variant.empty()) throw Error(ErrorCode::usage, name, "a built-in scene has no variants");
     return Scene(std::make_shared<scene::Scene>(scene::builtin_scene(name.substr(kBuiltinPrefix.size()))));
   }
-  return Scene(std::make_shared<scene::Scene>(scene::read_gltf(
-      file,
-      {.allow_outside_files = options.allow_outside_files, .variant = options.variant, .limits = options.limits})));
+  return Scene(
+      std::make_shared<scene::Scene>(scene::read_gltf(file, {.allow_outside_files = options.allow_outside_files,
+                                                             .strict = options.strict,
+                                                             .variant = options.variant,
+                                                             .limits = options.limits})));
 }
 
 Scene Scene::make(const SceneDescription& description) {

@@ -43,7 +43,7 @@ glm::dmat3 sun_axes(const upload::Tables& tables) {
   return light_axes(glm::normalize(-glm::dvec3(sun_of(tables).direction)));
 }
 
-LightBox light_box(const glm::dmat3& axes, const scene::Aabb& bounds) {
+LightBox light_box(const glm::dmat3& axes, const scene::WorldAabb& bounds) {
   VEL_ASSERT(!bounds.empty());
   LightBox box{glm::dvec3(std::numeric_limits<double>::infinity()),
                glm::dvec3(-std::numeric_limits<double>::infinity())};

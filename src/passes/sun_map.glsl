@@ -14,16 +14,16 @@
 // The radius of the smallest disc: what bilinear comparison smooths by itself.
 const float kLeastKernel = 1.0;  // texels
 // Stored depths are those of texel centres, half a diagonal away at most, and the search skips to the next ring.
-const float kConeSlack = 1.5;    // texels
+const float kConeSlack = 1.5;  // texels
 // What a point is lifted towards the sun before depths are compared: rounding of what the camera saw.
-const float kDepthLift = 0.1;    // texels
+const float kDepthLift = 0.1;  // texels
 
 // What the search found.
 struct Blockers {
-  uint hiding;      // taps whose blocker stands within the sun's cone, or beside it where none stands within
-  uint nearer;      // taps whose depth is nearer to the sun at all
-  float distance;   // mean of the former, metres
-  float nearest;    // of those within the cone
+  uint hiding;     // taps whose blocker stands within the sun's cone, or beside it where none stands within
+  uint nearer;     // taps whose depth is nearer to the sun at all
+  float distance;  // mean of the former, metres
+  float nearest;   // of those within the cone
   float farthest;
 };
 
@@ -39,8 +39,8 @@ uint search_taps(Cascade c) {
 // A receiver as one map sees it.
 struct SunReceiver {
   float layer;
-  vec3 coord;   // shadow_coord()
-  vec2 slope;   // how the depth of the receiver's own plane rises towards the sun, by u and v
+  vec3 coord;  // shadow_coord()
+  vec2 slope;  // how the depth of the receiver's own plane rises towards the sun, by u and v
 };
 
 // What a tap compares with: the receiver, and its own plane where that is nearer to the sun.
@@ -96,7 +96,7 @@ float penumbra_ratio(Cascade c, float distance) {
 
 // Mean distances of the blockers before (x) and beyond (y) `split`, metres; those of one layer are all before it.
 struct SunLayers {
-  float split;   // 0: there is one layer
+  float split;  // 0: there is one layer
   vec2 distances;
 };
 
@@ -155,8 +155,8 @@ struct SunPoint {
   float eye_distance;     // metres
 };
 
-// Where a point is looked up in a map. texels: to lift it along its normal; snap: how far beside its plane a surface may
-// be seen, pixels.
+// Where a point is looked up in a map. texels: to lift it along its normal; snap: how far beside its plane a surface
+// may be seen, pixels.
 vec3 biased_coord(Cascade c, SunPoint p, float texels, float snap) {
   float seen_beside = snap * pixel_footprint(p.eye_distance, frame.ndc_to_view, frame.perspective, frame.size.y);
   float offset = max(shadow_normal_offset(p.normal.z, texels, c.depth.w), seen_beside);

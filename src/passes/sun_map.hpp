@@ -44,7 +44,7 @@ struct LightBox {
 };
 
 // The extent of a box of the world. Precondition: it is not empty.
-[[nodiscard]] LightBox light_box(const glm::dmat3& axes, const scene::Aabb& bounds);
+[[nodiscard]] LightBox light_box(const glm::dmat3& axes, const scene::WorldAabb& bounds);
 
 // How far away blockers are told apart by their distance, metres: as far as there are any, `longest` at most.
 [[nodiscard]] double blocker_distance(const LightBox& casters, double longest);

@@ -7,13 +7,14 @@
 namespace velarium::reference {
 
 Camera::Camera(const scene::CameraInstance& camera, std::uint32_t width, std::uint32_t height)
-    : axes_(camera.world_from_view),
+    : axes_(glm::mat4(camera.world_from_view)),
       projection_(scene::clip_from_view(camera.camera, static_cast<float>(width) / static_cast<float>(height))),
       ndc_per_pixel_(2.0f / glm::vec2(width, height)),
       perspective_(projection_[3][3] == 0.0f) {
-  // Perspective: depth = near / distance. Orthographic: depth = (far - distance) / (far - near).
-  z_near_ = perspective_ ? projection_[3][2] : (projection_[3][2] - 1.0f) / projection_[2][2];
-  z_far_ = perspective_ ? std::numeric_limits<float>::infinity() : projection_[3][2] / projection_[2][2];
+  // Where depth is 1 and 0.
+  const float a = projection_[2][2], b = projection_[3][2];
+  z_near_ = perspective_ ? b / (1.0f + a) : (b - 1.0f) / a;
+  z_far_ = a == 0.0f ? std::numeric_limits<float>::infinity() : b / a;
   pixel_size_ = std::abs(ndc_per_pixel_.y / projection_[1][1]);
 }
 
@@ -35,6 +36,7 @@ Ray Camera::ray(const glm::vec2& place) const {
   const float length = glm::length(view);
   ray.direction = axes_ * (view / length);
   ray.from = z_near_ * length;
+  ray.to = z_far_ * length;
   ray.cone_spread = pixel_size_ / length;
   return ray;
 }

@@ -26,13 +26,13 @@ float inverse_scale_of(const glm::mat3& turn) {
 
 Object placed(const scene::Scene& scene, const scene::SceneSnapshot& snapshot, const scene::Instance& instance,
               const glm::dvec3& eye) {
-  const glm::mat4& m = instance.world_from_object;
+  const glm::dmat4& m = instance.world_from_object;
   const scene::Primitive& primitive = scene.primitives[instance.primitive];
   Object object;
   object.primitive = &primitive;
   object.vertices = instance.deformed == scene::kNone ? &primitive.vertices
                                                       : &snapshot.deformed[static_cast<std::size_t>(instance.deformed)];
-  object.turn = glm::mat3(m);
+  object.turn = glm::mat3(glm::mat4(m));
   object.place = glm::vec3(glm::dvec3(m[3]) - eye);
   const glm::mat3 rows = glm::transpose(object.turn);
   object.cofactors = glm::transpose(

@@ -16,7 +16,7 @@ void sample(const AnimationSampler& sampler, float time_s, bool is_rotation, std
 
 // What an animation may change of a node.
 struct Pose {
-  glm::vec3 translation{0.0f};
+  glm::dvec3 translation{0.0};
   glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
   glm::vec3 scale{1.0f};
   std::vector<float> weights;  // of morph targets; empty where the node draws no mesh

@@ -31,38 +31,39 @@ constexpr float kFittedAzimuth = glm::radians(30.0f);  // from +Z, the front of 
 constexpr float kFittedElevation = glm::radians(20.0f);
 constexpr float kFittedMargin = 1.08f;  // 4 % of the picture's size on each side
 
-glm::mat3 view_axes(const glm::vec3& back, const glm::vec3& up) {
-  const glm::vec3 right = glm::normalize(glm::cross(up, back));
+glm::dmat3 view_axes(const glm::dvec3& back, const glm::dvec3& up) {
+  const glm::dvec3 right = glm::normalize(glm::cross(up, back));
   return {right, glm::cross(back, right), back};
 }
 
-CameraInstance placed(const glm::vec3& eye, const glm::mat3& axes, float vertical_fov, float z_near, const char* name) {
+CameraInstance placed(const glm::dvec3& eye, const glm::dmat3& axes, float vertical_fov, float z_near,
+                      const char* name) {
   CameraInstance out;
   out.camera.name = name;
   out.camera.vertical_fov = vertical_fov;
   out.camera.z_near = z_near;
-  out.world_from_view = {glm::vec4(axes[0], 0), glm::vec4(axes[1], 0), glm::vec4(axes[2], 0), glm::vec4(eye, 1)};
+  out.world_from_view = {glm::dvec4(axes[0], 0), glm::dvec4(axes[1], 0), glm::dvec4(axes[2], 0), glm::dvec4(eye, 1)};
   return out;
 }
 
 // Coordinates whose squares, and those of sums of a few, still are floats.
-bool is_measurable(const glm::vec3& v) {
-  constexpr float kFarthest = 1e15f;  // metres
+bool is_measurable(const glm::dvec3& v) {
+  constexpr double kFarthest = 1e15;  // metres
   return std::abs(v.x) < kFarthest && std::abs(v.y) < kFarthest && std::abs(v.z) < kFarthest;
 }
 
-// A box that a camera can be fitted to: of some extent on each axis, and not too small for floats to tell its corners
+// A box that a camera can be fitted to: of some extent on each axis, and not too small for doubles to tell its corners
 // apart so far from the origin.
-Aabb solid(const Aabb& bounds) {
-  constexpr float kThin = 1e-5f, kTellApart = 1e-6f;  // of the size; of the distance to the origin
-  constexpr float kHalfOfNothing = 0.5f;              // metres: what a single point is shown in
+WorldAabb solid(const WorldAabb& bounds) {
+  constexpr double kThin = 1e-5, kTellApart = 1e-14;  // of the size; of the distance to the origin
+  constexpr double kHalfOfNothing = 0.5;              // metres: what a single point is shown in
   if (bounds.empty() || !is_measurable(bounds.min) || !is_measurable(bounds.max)) {
-    return {glm::vec3(-kHalfOfNothing), glm::vec3(kHalfOfNothing)};
+    return {glm::dvec3(-kHalfOfNothing), glm::dvec3(kHalfOfNothing)};
   }
-  const glm::vec3 center = 0.5f * (bounds.min + bounds.max);
-  const float size = glm::length(bounds.max - bounds.min);
-  const float least = std::max(size > 0.0f ? kThin * size : kHalfOfNothing, kTellApart * glm::length(center));
-  const glm::vec3 half = glm::max(0.5f * (bounds.max - bounds.min), glm::vec3(least));
+  const glm::dvec3 center = 0.5 * (bounds.min + bounds.max);
+  const double size = glm::length(bounds.max - bounds.min);
+  const double least = std::max(size > 0.0 ? kThin * size : kHalfOfNothing, kTellApart * glm::length(center));
+  const glm::dvec3 half = glm::max(0.5 * (bounds.max - bounds.min), glm::dvec3(least));
   return {center - half, center + half};
 }
 
@@ -111,11 +112,14 @@ glm::mat4 perspective(const Camera& camera, float aspect) {
   const glm::vec2 wider = widening(camera_aspect, aspect);
   const float half_height = std::tan(0.5f * camera.vertical_fov);
   const float z_near = camera.z_near > 0.0f ? camera.z_near : kDefaultNear;
+  // Depth: near / distance without an end; with one, near (far - distance) / (distance (far - near)).
+  const bool endless = std::isinf(camera.z_far);
   glm::mat4 m(0.0f);
   m[0][0] = 1.0f / (half_height * camera_aspect * wider.x);
   m[1][1] = -1.0f / (half_height * wider.y);
+  m[2][2] = endless ? 0.0f : z_near / (camera.z_far - z_near);
   m[2][3] = -1.0f;
-  m[3][2] = z_near;  // depth = near / distance
+  m[3][2] = endless ? z_near : camera.z_far * m[2][2];
   return m;
 }
 
@@ -134,38 +138,38 @@ glm::mat4 orthographic(const Camera& camera, float aspect) {
 
 }  // namespace
 
-CameraInstance look_at_camera(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up,
+CameraInstance look_at_camera(const glm::dvec3& eye, const glm::dvec3& target, const glm::vec3& up,
                               float vertical_fov_rad) {
-  const float distance = glm::length(eye - target);
-  if (!(distance > 0.0f)) throw Error(ErrorCode::usage, "look-at camera: eye and target coincide; move one of them");
-  const glm::vec3 back = (eye - target) / distance;
+  const double distance = glm::length(eye - target);
+  if (!(distance > 0.0)) throw Error(ErrorCode::usage, "look-at camera: eye and target coincide; move one of them");
+  const glm::dvec3 back = (eye - target) / distance;
   // Below 1e-4 of the length of `up`, rounding would decide which way is up.
-  if (!(glm::length(glm::cross(up, back)) > 1e-4f * glm::length(up))) {
+  if (!(glm::length(glm::cross(glm::dvec3(up), back)) > 1e-4 * glm::length(glm::dvec3(up)))) {
     throw Error(ErrorCode::usage, "look-at camera: up is parallel to the view; choose another up");
   }
-  return placed(eye, view_axes(back, up), vertical_fov_rad, kLookAtNear * distance, "look-at");
+  return placed(eye, view_axes(back, up), vertical_fov_rad, kLookAtNear * static_cast<float>(distance), "look-at");
 }
 
-CameraInstance fitted_camera(const Aabb& bounds, float aspect) {
-  const Aabb box = solid(bounds);
-  const glm::vec3 center = 0.5f * (box.min + box.max);
-  const glm::vec3 back(std::sin(kFittedAzimuth) * std::cos(kFittedElevation), std::sin(kFittedElevation),
-                       std::cos(kFittedAzimuth) * std::cos(kFittedElevation));
-  const glm::mat3 world_from_view = view_axes(back, {0, 1, 0});
+CameraInstance fitted_camera(const WorldAabb& bounds, float aspect) {
+  const WorldAabb box = solid(bounds);
+  const glm::dvec3 center = 0.5 * (box.min + box.max);
+  const glm::dvec3 back(std::sin(kFittedAzimuth) * std::cos(kFittedElevation), std::sin(kFittedElevation),
+                        std::cos(kFittedAzimuth) * std::cos(kFittedElevation));
+  const glm::dmat3 world_from_view = view_axes(back, {0, 1, 0});
   const float slope = std::tan(0.5f * kFittedFov) / kFittedMargin;
   Outline horizontal, vertical;
   float front = -std::numeric_limits<float>::infinity();
   for (std::size_t i = 0; i < 8; ++i) {
-    const glm::vec3 corner((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
-                           (i & 4) ? box.max.z : box.min.z);
-    const glm::vec3 view = glm::transpose(world_from_view) * (corner - center);
+    const glm::dvec3 corner((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
+                            (i & 4) ? box.max.z : box.min.z);
+    const glm::vec3 view(glm::transpose(world_from_view) * (corner - center));
     horizontal[i] = {view.x, view.z};
     vertical[i] = {view.y, view.z};
     front = std::max(front, view.z);
   }
   const float back_off = std::max(distance_to_see(horizontal, slope * aspect), distance_to_see(vertical, slope));
-  const glm::vec3 stand(centred(horizontal, back_off), centred(vertical, back_off), back_off);
-  const glm::vec3 eye = center + world_from_view * stand;
+  const glm::dvec3 stand(centred(horizontal, back_off), centred(vertical, back_off), back_off);
+  const glm::dvec3 eye = center + world_from_view * stand;
   const float z_near = 0.5f * (back_off - front);  // half way to the nearest corner of the box
   return placed(eye, world_from_view, kFittedFov, z_near, "auto");
 }

@@ -60,7 +60,7 @@ Node node_of(const Place& at, const NodeDescription& from, const SceneDescriptio
   node.translation = vector(from.translation);
   node.rotation = rotation_of(at, from.rotation);
   node.scale = vector(from.scale);
-  if (from.matrix) node.matrix = matrix_of(at, from);
+  if (from.matrix) node.matrix = glm::dmat4(matrix_of(at, from));
   return node;
 }
 
@@ -93,6 +93,8 @@ Node camera_node(const Place& at, const CameraDescription& from, const SceneDesc
   camera.name = from.name;
   if (from.aspect > 0.0f) camera.aspect = from.aspect;
   if (from.near_m > 0.0f) camera.z_near = from.near_m;
+  if (from.far_m > 0.0f) camera.z_far = from.far_m;
+  if (!(camera.z_far > camera.z_near)) at.fail("far_m", fmt::format("is {}, must be more than near_m", from.far_m));
   if (from.orthographic_height_m > 0.0f) set_orthographic(at, from, camera);
   Node node;
   node.name = from.name;

@@ -53,7 +53,7 @@ Scene read_gltf(const std::filesystem::path& file, const GltfOptions& options) {
   Scene scene;
   scene.source = file.string();
   const gltf::Container container = gltf::open_container(file, options.limits);
-  gltf::Document document(file, container.json, options.limits);
+  gltf::Document document(file, container.json, options.limits, options.strict);
   gltf::Context context{document.root(), options, scene};
 
   gltf::read_asset(context);

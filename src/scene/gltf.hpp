@@ -3,7 +3,8 @@
 // Reader of glTF 2.0 (.gltf, .glb): strict, bounded, safe on files from anywhere.
 //
 // What has no reading, or more than one, is refused. A breach of the specification that leaves one plausible reading
-// (a rotation not quite of unit length, a factor just out of its range) is read so, with a line in Scene::warnings.
+// (a rotation not quite of unit length, a factor just out of its range) is read so, with a line in Scene::warnings;
+// GltfOptions::strict refuses it.
 
 #include "scene/scene.hpp"
 
@@ -19,6 +20,7 @@ using GltfLimits = Settings::load_settings;
 
 struct GltfOptions {
   bool allow_outside_files = false;  // may URIs leave the file's folder?
+  bool strict = false;               // refuse what would be read with a repair
   std::string variant;               // KHR_materials_variants: a name or index; "none" or empty: the usual materials
   GltfLimits limits;
 };

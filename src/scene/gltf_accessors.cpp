@@ -160,11 +160,21 @@ void Accessors::read_sparse(const Value& sparse, Accessor& accessor) {
   accessor.sparse_values = packed(sparse.require("values"), accessor.format);
 }
 
-const Accessor& Accessors::find(const Value& reference, std::span<const Format> allowed) const {
+const Accessor& Accessors::find(const Value& reference, std::span<const Format> allowed, Integers integers) {
   const Accessor& accessor = any(reference);
-  if (std::ranges::find(allowed, accessor.format) != allowed.end()) {
-    if (accessor.lacks_data) accessor.at.fail("lies in a buffer that has no uri, nor is it the file's binary chunk");
-    return accessor;
+  const auto is_allowed = [&](const Format& format) { return std::ranges::find(allowed, format) != allowed.end(); };
+  const auto checked = [](const Accessor& found) -> const Accessor& {
+    if (found.lacks_data) found.at.fail("lies in a buffer that has no uri, nor is it the file's binary chunk");
+    return found;
+  };
+  if (is_allowed(accessor.format)) return checked(accessor);
+  Format normalized = accessor.format;
+  normalized.normalized = true;
+  if (integers == Integers::normalized && is_allowed(normalized)) {
+    reference.repair(fmt::format("is an accessor of {}; it was read as normalized", to_string(accessor.format)));
+    Accessor& marked = normalized_[index_of(reference)] = accessor;
+    marked.format = normalized;
+    return checked(marked);
   }
   std::string names;
   for (const Format& format : allowed) names += (names.empty() ? "" : ", ") + to_string(format);

@@ -49,6 +49,10 @@ struct Accessor {
   Elements sparse_indices, sparse_values;
 };
 
+// How an attribute means integers that are not marked as normalised: by their values, or as shares of 1 whose mark is
+// missing.
+enum class Integers : std::uint8_t { as_written, normalized };
+
 class Accessors {
  public:
   // Checks every accessor against its view. `buffers` must outlive the result.
@@ -56,7 +60,9 @@ class Accessors {
 
   // The accessor that a JSON number refers to. Throws at its pointer where there is none, or one whose format is not
   // among those allowed.
-  [[nodiscard]] const Accessor& find(const Value& reference, std::span<const Format> allowed) const;
+  // With Integers::normalized, integers that should be normalised and are not are found as if they were, with a repair.
+  [[nodiscard]] const Accessor& find(const Value& reference, std::span<const Format> allowed,
+                                     Integers integers = Integers::as_written);
   // The same of any format.
   [[nodiscard]] const Accessor& any(const Value& reference) const;
 
@@ -102,6 +108,7 @@ class Accessors {
     Accessor accessor;  // over these bytes
   };
   std::map<std::uint32_t, Replacement> replaced_;  // by index
+  std::map<std::uint32_t, Accessor> normalized_;   // by index: as if they were marked
 };
 
 }  // namespace velarium::scene::gltf

@@ -76,9 +76,25 @@ std::vector<float> read_times(Accessors& accessors, const Value& input) {
   std::vector<float> times = accessors.read_floats<float>(accessors.find(input, kTimeFormats));
   if (times.front() < 0.0f) input.fail(fmt::format("starts at {} s, before 0", times.front()));
   for (std::size_t i = 1; i < times.size(); ++i) {
-    if (!(times[i] > times[i - 1])) input.fail(fmt::format("time number {} is not after the one before it", i));
+    if (times[i] < times[i - 1]) input.fail(fmt::format("time number {} is before the one before it", i));
+    if (times[i] == times[i - 1]) input.repair("has keys of one time; the last of them counts");
   }
   return times;
+}
+
+// Of keys of one time the last stays.
+void drop_repeated_keys(AnimationSampler& sampler) {
+  const std::size_t key_values = sampler.values.size() / sampler.times.size();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < sampler.times.size(); ++i) {
+    if (i + 1 < sampler.times.size() && sampler.times[i + 1] == sampler.times[i]) continue;
+    sampler.times[kept] = sampler.times[i];
+    std::copy_n(sampler.values.begin() + static_cast<std::ptrdiff_t>(i * key_values), key_values,
+                sampler.values.begin() + static_cast<std::ptrdiff_t>(kept * key_values));
+    ++kept;
+  }
+  sampler.times.resize(kept);
+  sampler.values.resize(kept * key_values);
 }
 
 template <class Element>
@@ -90,9 +106,10 @@ std::vector<float> flattened(const std::vector<Element>& elements) {
 std::vector<float> read_values(Accessors& accessors, const Value& output, AnimatedPath path) {
   switch (path) {
     case AnimatedPath::weights:
-      return accessors.read_floats<float>(accessors.find(output, kWeightFormats));
+      return accessors.read_floats<float>(accessors.find(output, kWeightFormats, Integers::normalized));
     case AnimatedPath::rotation:
-      return flattened(accessors.read_floats<glm::vec4>(accessors.find(output, kRotationFormats)));
+      return flattened(
+          accessors.read_floats<glm::vec4>(accessors.find(output, kRotationFormats, Integers::normalized)));
     default:
       return flattened(accessors.read_floats<glm::vec3>(accessors.find(output, kVectorFormats)));
   }
@@ -125,6 +142,7 @@ AnimationSampler read_sampler(Accessors& accessors, const Value& value, const Ta
                             sampler.values.size(), needed, sampler.times.size(), per_key, target.components));
   }
   if (target.path == AnimatedPath::rotation) normalize_rotations(output, sampler);
+  drop_repeated_keys(sampler);
   return sampler;
 }
 

@@ -16,6 +16,7 @@ namespace {
 struct FormatList {
   std::span<const Format> all;
   std::size_t core_count;
+  Integers integers = Integers::as_written;
   [[nodiscard]] std::span<const Format> allowed(bool quantized) const {
     return quantized ? all : all.first(core_count);
   }
@@ -47,9 +48,9 @@ constexpr std::array kWeightFormats = {Format{Type::vec4, kF32}, Format{Type::ve
                                        Format{Type::vec4, kU16, true}};
 
 constexpr FormatList kPosition{kPositionFormats, 1}, kMorphPosition{kMorphPositionFormats, 1},
-    kVec3Direction{kVec3DirectionFormats, 1}, kTangent{kTangentFormats, 1}, kUv{kUvFormats, 3},
-    kColor{kColorFormats, kColorFormats.size()}, kJoint{kJointFormats, kJointFormats.size()},
-    kWeight{kWeightFormats, kWeightFormats.size()};
+    kVec3Direction{kVec3DirectionFormats, 1, Integers::normalized}, kTangent{kTangentFormats, 1, Integers::normalized},
+    kUv{kUvFormats, 3, Integers::normalized}, kColor{kColorFormats, kColorFormats.size(), Integers::normalized},
+    kJoint{kJointFormats, kJointFormats.size()}, kWeight{kWeightFormats, kWeightFormats.size(), Integers::normalized};
 
 // Reads members of an object of attributes, all of one count.
 class AttributeReader {
@@ -65,11 +66,11 @@ class AttributeReader {
   [[nodiscard]] const Accessor* find(std::string_view name, const FormatList& formats) const {
     const Value reference = attributes_[name];
     if (!reference) return nullptr;
-    const Accessor& accessor = accessors_.find(reference, formats.allowed(quantized_));
+    const Accessor& accessor = accessors_.find(reference, formats.allowed(quantized_), formats.integers);
     if (count_ > 0 && accessor.elements.count != count_) {
       reference.fail(fmt::format("has {} elements, but there are {} vertices", accessor.elements.count, count_));
     }
-    if (!accessor.aligned_for_vertices) reference.warn("is not aligned to 4 bytes, as vertex attributes should be");
+    if (!accessor.aligned_for_vertices) reference.repair("is not aligned to 4 bytes, as vertex attributes should be");
     return &accessor;
   }
 
@@ -109,7 +110,7 @@ void read_colors(const AttributeReader& reader, Accessors& accessors, Primitive&
     clamped |= inside != color;
     color = inside;
   }
-  if (clamped) reader.attributes()["COLOR_0"].warn("has values outside 0 and 1; the nearest are used");
+  if (clamped) reader.attributes()["COLOR_0"].repair("has values outside 0 and 1; the nearest are used");
 }
 
 std::uint32_t count_sets(const Value& attributes, std::string_view prefix) {
@@ -147,7 +148,7 @@ void normalize_weights(const Value& attributes, Primitive& primitive) {
     }
     if (sum > 0.0f) continue;
     primitive.weights[vertex].x = 1.0f;
-    attributes.warn("vertices have no joint weights; they follow the skin's first joint");
+    attributes.repair("vertices have no joint weights; they follow the skin's first joint");
   }
 }
 

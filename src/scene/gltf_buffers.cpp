@@ -6,13 +6,28 @@
 #include <fmt/core.h>
 
 #include <limits>
+#include <optional>
 
 namespace velarium::scene::gltf {
 
 namespace {
 constexpr std::uint64_t kAnyLength = std::numeric_limits<std::int64_t>::max();
-// glTF 2.0, bufferView.byteStride.
-constexpr std::uint32_t kMinStride = 4, kMaxStride = 252;
+
+// glTF 2.0, bufferView.byteStride: from 4 to 252, a multiple of 4. Devices may ask that; this reader can do with any,
+// and takes 0 as OpenGL does, for elements without a gap.
+std::optional<std::uint32_t> read_stride(const Value& value) {
+  if (!value) return std::nullopt;
+  constexpr std::uint32_t kLeast = 4, kMost = 252;
+  const auto stride = static_cast<std::uint32_t>(value.integer(0, std::numeric_limits<std::uint32_t>::max()));
+  if (stride == 0) {
+    value.repair("is 0; elements follow each other without a gap");
+    return std::nullopt;
+  }
+  if (stride < kLeast || stride > kMost || stride % 4 != 0)
+    value.repair(fmt::format("is {}, not a multiple of 4 from {} to {}; it was used", stride, kLeast, kMost));
+  return stride;
+}
+
 }  // namespace
 
 Buffers::Buffers(Value root, const Container& container, const GltfOptions& options)
@@ -64,10 +79,7 @@ void Buffers::read_view(const Value& view) {
   added.data = range.data;
   added.length = range.length;
   added.offset = range.offset;
-  if (const Value stride = view["byteStride"]) {
-    added.stride = static_cast<std::uint32_t>(stride.integer(kMinStride, kMaxStride));
-    if (*added.stride % 4 != 0) stride.fail(fmt::format("is {}, must be a multiple of 4", *added.stride));
-  }
+  added.stride = read_stride(view["byteStride"]);
   if (const Value compressed = meshopt_extension(view)) decompress(compressed, added);
 }
 

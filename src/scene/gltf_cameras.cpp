@@ -22,7 +22,7 @@ void read_perspective(const Value& value, Camera& camera) {
   const Value fov = value.require("yfov");
   camera.vertical_fov = positive(fov);
   if (camera.vertical_fov > kWidestFov) {
-    fov.warn("is pi radians or nearly so, which no flat picture holds; 179 degrees are used");
+    fov.repair("is pi radians or nearly so, which no flat picture holds; 179 degrees are used");
     camera.vertical_fov = kWidestFov;
   }
   if (const Value aspect = value["aspectRatio"]) camera.aspect = positive(aspect);
@@ -33,7 +33,7 @@ void read_perspective(const Value& value, Camera& camera) {
 float half_size(const Value& value) {
   const float number = value.number();
   if (number == 0.0f) value.fail("must not be 0");
-  if (number < 0.0f) value.warn("is negative; its absolute value is used");
+  if (number < 0.0f) value.repair("is negative; its absolute value is used");
   return std::abs(number);
 }
 

@@ -33,8 +33,8 @@ bool make_unit(glm::vec3& direction, Findings& findings) {
 }
 
 void report(const Value& at, const Findings& findings) {
-  if (findings.not_unit) at.warn("has directions that are not of unit length; they were normalised");
-  if (findings.zero) at.warn("has directions of no length; others stand in for them");
+  if (findings.not_unit) at.repair("has directions that are not of unit length; they were normalised");
+  if (findings.zero) at.repair("has directions of no length; others stand in for them");
 }
 
 glm::vec3 across(const glm::vec3& normal) {
@@ -47,7 +47,7 @@ glm::vec3 across(const glm::vec3& normal) {
 void make_unit_normals(const Value& at, std::vector<glm::vec3>& normals) {
   Findings findings;
   for (glm::vec3& normal : normals) {
-    if (!make_unit(normal, findings)) normal = {0.0f, 1.0f, 0.0f};
+    if (!make_unit(normal, findings)) normal = glm::vec3(0.0f);
   }
   report(at, findings);
 }
@@ -63,7 +63,7 @@ void make_unit_tangents(const Value& at, const std::vector<glm::vec3>& normals, 
     tangents[i] = {direction, sign};
   }
   report(at, findings);
-  if (wrong_sign) at.warn("has signs (w) that are neither 1 nor -1; the nearest was taken");
+  if (wrong_sign) at.repair("has signs (w) that are neither 1 nor -1; the nearest was taken");
 }
 
 }  // namespace velarium::scene::gltf

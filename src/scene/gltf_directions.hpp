@@ -11,7 +11,8 @@
 
 namespace velarium::scene::gltf {
 
-// Scales each to unit length; `at` is where they come from, for warnings. Zero normals become +Y.
+// Scales each to unit length; `at` is where they come from, for warnings. Normals of no length become exactly 0:
+// complete_primitives() knows the triangles that stand in for them.
 void make_unit_normals(const Value& at, std::vector<glm::vec3>& normals);
 
 // The same for xyz, and a sign of +1 or -1 in w. Zero tangents become some direction across the normal.

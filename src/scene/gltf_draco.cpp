@@ -6,29 +6,82 @@
 #include <fmt/core.h>
 
 #include <cstring>
+#include <limits>
 #include <optional>
+#include <utility>
 
 namespace velarium::scene::gltf {
 
 namespace {
 
-std::optional<Component> component_of(draco::DataType type) {
+// Calls `use` with a zero of the type; false where it is none that glTF could mean.
+template <class Use>
+bool with_type(draco::DataType type, const Use& use) {
   switch (type) {
     case draco::DT_INT8:
-      return Component::i8;
+      return use(std::int8_t{}), true;
     case draco::DT_UINT8:
-      return Component::u8;
+      return use(std::uint8_t{}), true;
     case draco::DT_INT16:
-      return Component::i16;
+      return use(std::int16_t{}), true;
     case draco::DT_UINT16:
-      return Component::u16;
+      return use(std::uint16_t{}), true;
+    case draco::DT_INT32:
+      return use(std::int32_t{}), true;
     case draco::DT_UINT32:
-      return Component::u32;
+      return use(std::uint32_t{}), true;
     case draco::DT_FLOAT32:
-      return Component::f32;
+      return use(float{}), true;
     default:
-      return std::nullopt;
+      return false;
   }
+}
+
+draco::DataType type_of(Component component) {
+  switch (component) {
+    case Component::i8:
+      return draco::DT_INT8;
+    case Component::u8:
+      return draco::DT_UINT8;
+    case Component::i16:
+      return draco::DT_INT16;
+    case Component::u16:
+      return draco::DT_UINT16;
+    case Component::u32:
+      return draco::DT_UINT32;
+    case Component::f32:
+      return draco::DT_FLOAT32;
+  }
+  return draco::DT_INVALID;
+}
+
+// Packed values of one type as those of another. Throws at `id` where one does not fit.
+template <class From, class To>
+std::vector<std::byte> converted(const Value& id, const std::vector<std::byte>& values, From, To) {
+  std::vector<std::byte> out(values.size() / sizeof(From) * sizeof(To));
+  for (std::size_t i = 0; i < values.size() / sizeof(From); ++i) {
+    From value;
+    std::memcpy(&value, values.data() + i * sizeof(From), sizeof(From));
+    // Doubles hold every value of both types.
+    const auto wide = static_cast<double>(value);
+    constexpr auto kLeast = static_cast<double>(std::numeric_limits<To>::lowest());
+    constexpr auto kMost = static_cast<double>(std::numeric_limits<To>::max());
+    if (!(wide >= kLeast && wide <= kMost))
+      id.fail(fmt::format("value {} of its compressed data does not fit the type of its accessor", wide));
+    const To narrow = static_cast<To>(wide);
+    if (static_cast<double>(narrow) != wide)
+      id.fail(fmt::format("value {} of its compressed data is not whole, as its accessor's are", wide));
+    std::memcpy(out.data() + i * sizeof(To), &narrow, sizeof(To));
+  }
+  return out;
+}
+
+std::vector<std::byte> converted(const Value& id, const std::vector<std::byte>& values, draco::DataType from,
+                                 draco::DataType to) {
+  std::vector<std::byte> out;
+  with_type(from,
+            [&](auto source) { with_type(to, [&](auto target) { out = converted(id, values, source, target); }); });
+  return out;
 }
 
 // Packed. Throws at `id` where the decoder left points without a value.
@@ -50,7 +103,7 @@ std::vector<std::byte> indices_of(const draco::Mesh& mesh) {
   std::vector<std::byte> out(3 * sizeof(std::uint32_t) * mesh.num_faces());
   std::byte* next = out.data();
   for (std::uint32_t i = 0; i < mesh.num_faces(); ++i) {
-    for (const draco::PointIndex corner : mesh.face(draco::FaceIndex(i))) {
+    for (const draco::PointIndex& corner : mesh.face(draco::FaceIndex(i))) {
       const std::uint32_t index = corner.value();
       std::memcpy(next, &index, sizeof(index));
       next += sizeof(index);
@@ -128,12 +181,17 @@ class Reader {
     const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(unique_id);
     if (!attribute) id.fail(fmt::format("is {}, which no attribute of the compressed data is called", unique_id));
     const Value reference = primitive_["attributes"][name];
-    const std::optional<Component> component = component_of(attribute->data_type());
     const Format format = accessors_.any(reference).format;
-    if (component != format.component || attribute->num_components() != component_count(format.type)) {
+    const draco::DataType from = attribute->data_type(), to = type_of(format.component);
+    const bool is_known = with_type(from, [](auto) {});
+    if (!is_known || attribute->num_components() != component_count(format.type))
       id.fail("its compressed data is of another type than its accessor");
+    std::vector<std::byte> values = values_of(id, *attribute, points);
+    if (from != to) {
+      id.repair("its compressed data is of another type than its accessor; it was converted");
+      values = converted(id, values, from, to);
     }
-    accessors_.replace(reference, *component, points, values_of(id, *attribute, points));
+    accessors_.replace(reference, format.component, points, std::move(values));
   }
 
   Accessors& accessors_;
@@ -149,7 +207,7 @@ DracoGeometry::DracoGeometry(Context& context, Accessors& accessors, const Value
   constexpr std::string_view kName = "KHR_draco_mesh_compression";
   const Value extension = primitive["extensions"][kName];
   if (!extension) return;
-  if (!context.uses(kName)) extension.warn("is not listed in /extensionsUsed; it was read");
+  if (!context.uses(kName)) extension.repair("is not listed in /extensionsUsed; it was read");
   const auto mode = static_cast<Mode>(primitive["mode"].integer_or(4, 0, 6));
   if (mode != Mode::triangles && mode != Mode::triangle_strip) {
     primitive["mode"].fail("must be 4 or 5: compressed data holds triangles");

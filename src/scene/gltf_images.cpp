@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <utility>
@@ -52,6 +53,7 @@ struct Source {
   std::uint32_t index = 0;          // in /images
   std::optional<float> glossiness;  // the factor, where it is read as roughness
   std::optional<UriData> named;
+  bool missing = false;
   std::vector<std::byte> owned;
   std::span<const std::byte> bytes;
 };
@@ -64,6 +66,16 @@ void check_image(const Value& image, const Buffers& buffers) {
   if (uri) static_cast<void>(uri.text());
 }
 
+// A file that is not there is missing where the reader is not strict.
+void find_named(Source& source, const GltfOptions& options, Budget& bytes) {
+  try {
+    source.named = find_uri(source.image["uri"], options, bytes);
+  } catch (const Error& error) {
+    if (options.strict || error.code() != ErrorCode::input_missing) throw;
+    source.missing = true;
+  }
+}
+
 // All of them before any is read, so that the limit on all together holds whatever thread reads which.
 void find_sources(std::vector<Source>& sources, const Buffers& buffers, const GltfOptions& options) {
   Budget bytes("load.bytes", options.limits.bytes);
@@ -73,8 +85,48 @@ void find_sources(std::vector<Source>& sources, const Buffers& buffers, const Gl
       if (!view.data) reference.fail("lies in a buffer without data");
       source.bytes = {view.data, view.length};
     } else {
-      source.named = find_uri(source.image["uri"], options, bytes);
+      find_named(source, options, bytes);
     }
+  }
+}
+
+// The texture slots of a material, in the order of texture_refs().
+constexpr std::array<std::string_view, 7> kSlots = {
+    "baseColorTexture", "metallicRoughnessTexture", "normalTexture",       "occlusionTexture",
+    "emissiveTexture",  "specularTexture",          "specularColorTexture"};
+
+// "baseColorTexture of /materials/2 and 3 more", of what shows an image; empty where nothing does.
+std::string uses_of(const Scene& scene, std::int32_t image) {
+  std::string first;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    const auto refs = texture_refs(scene.materials[i]);
+    for (std::size_t slot = 0; slot < refs.size(); ++slot) {
+      if (!refs[slot]->present() || scene.textures[static_cast<std::size_t>(refs[slot]->texture)].image != image)
+        continue;
+      if (count++ == 0) first = fmt::format("{} of /materials/{}", kSlots[slot], i);
+    }
+  }
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    if (scene.lights[i].projector.image == image && count++ == 0) first = fmt::format("the picture of light {}", i);
+  return count > 1 ? fmt::format("{} and {} more", first, count - 1) : first;
+}
+
+// Scenes are drawn without what is missing: a factor alone, no bumps, a light without its picture.
+void leave_out_missing(Scene& scene, const std::vector<Source>& sources) {
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    if (!sources[i].missing) continue;
+    const auto image = static_cast<std::int32_t>(i);
+    const Value uri = sources[i].image["uri"];
+    uri.warn(fmt::format("'{}' does not exist; {} is left out", uri.text(), uses_of(scene, image)));
+    for (Material& material : scene.materials)
+      for (TextureRef* ref : texture_refs(material))
+        if (ref->present() && scene.textures[static_cast<std::size_t>(ref->texture)].image == image)
+          ref->texture = kNone;
+    for (Texture& texture : scene.textures)
+      if (texture.image == image) texture.image = kNone;
+    for (Light& light : scene.lights)
+      if (light.projector.image == image) light.projector.image = kNone;
   }
 }
 
@@ -88,7 +140,7 @@ void read_source(Source& source) {
 template <class Work>
 auto at_image(const Source& source, const Work& work) {
   const Value uri = source.image["uri"];
-  const bool named = uri && !uri.text().starts_with("data:");
+  const bool named = uri && !is_data_uri(uri.text());
   const std::string what = fmt::format("/images/{}", source.index) + (named ? fmt::format(" ({})", uri.text()) : "");
   try {
     return work(what);
@@ -144,6 +196,7 @@ void check_sizes(const std::vector<Source>& sources, const GltfLimits& limits) {
   const Budget sides("load.image_size", limits.image_size);
   Budget pixels("load.pixels", limits.pixels);
   for (const Source& source : sources) {
+    if (source.missing) continue;
     const image::Size size =
         at_image(source, [&](const std::string& what) { return image::peek_size(source.bytes, what); });
     const std::uint32_t side = std::max(size.width, size.height);
@@ -165,10 +218,12 @@ void read_images(Context& context, const Buffers& buffers) {
   const GltfLimits& limits = context.options.limits;
   std::vector<Source> sources = assign_images(context, buffers);
   find_sources(sources, buffers, context.options);
+  leave_out_missing(context.scene, sources);
   parallel_for(sources.size(), [&](std::size_t i) { read_source(sources[i]); });
   check_sizes(sources, limits);
-  context.scene.images.resize(sources.size());
+  context.scene.images.assign(sources.size(), {.name = "", .width = 1, .height = 1, .rgba = {255, 255, 255, 255}});
   parallel_for(sources.size(), [&](std::size_t i) {
+    if (sources[i].missing) return;
     image::ByteImage decoded = at_image(sources[i], [&](const std::string& what) {
       return image::decode(sources[i].bytes, what, {limits.pixels, static_cast<std::uint32_t>(limits.image_size)});
     });

@@ -29,7 +29,7 @@ class Columns {
   [[nodiscard]] const Accessor* find(std::string_view name, std::span<const Format> formats) {
     const Value reference = attributes_[name];
     if (!reference) return nullptr;
-    const Accessor& accessor = accessors_.find(reference, formats);
+    const Accessor& accessor = accessors_.find(reference, formats, Integers::normalized);
     if (count_ == 0) count_ = accessor.elements.count;
     if (accessor.elements.count != count_) {
       reference.fail(fmt::format("has {} elements, but there are {} instances", accessor.elements.count, count_));
@@ -79,7 +79,7 @@ void read_node_instances(Context& context, Accessors& accessors) {
   for (std::uint32_t i = 0; i < list.size(); ++i) {
     const Value extension = list.at(i)["extensions"][kName];
     if (!extension) continue;
-    if (!context.uses(kName)) extension.warn("is not listed in /extensionsUsed; it was read");
+    if (!context.uses(kName)) extension.repair("is not listed in /extensionsUsed; it was read");
     Node& node = context.scene.nodes[i];
     if (node.mesh == kNone ||
         node.skin != kNone) {  // a skin places the vertices in the world, so copies would coincide

@@ -180,8 +180,8 @@ std::optional<std::uint64_t> whole_number(const Json& json) {
 
 // --- Document ---------------------------------------------------------------------------------------------------
 
-Document::Document(std::filesystem::path file, std::string_view text, const GltfLimits& limits)
-    : file_(std::move(file)), json_(std::make_unique<Json>()) {
+Document::Document(std::filesystem::path file, std::string_view text, const GltfLimits& limits, bool strict)
+    : file_(std::move(file)), strict_(strict), json_(std::make_unique<Json>()) {
   Builder builder(file_, text, limits, *json_);
   Json::sax_parse(text.begin(), text.end(), &builder);
 }
@@ -297,12 +297,16 @@ float Value::number_or(float fallback) const {
   return json_ ? number() : fallback;
 }
 
+double Value::double_or(double fallback) const {
+  return json_ ? (static_cast<void>(number()), json_->get<double>()) : fallback;
+}
+
 float Value::clamped_or(float fallback, float lowest, float highest) const {
   if (!json_) return fallback;
   const float value = number();
   if (value >= lowest && value <= highest) return value;
   const float nearest = std::clamp(value, lowest, highest);
-  warn(fmt::format("is {}, outside its range; {} is used instead", shown(), nearest));
+  repair(fmt::format("is {}, outside its range; {} is used instead", shown(), nearest));
   return nearest;
 }
 
@@ -336,6 +340,11 @@ void Value::read_numbers(std::span<float> out) const {
   for (std::uint32_t i = 0; i < out.size(); ++i) out[i] = at(i).number();
 }
 
+void Value::read_numbers(std::span<double> out) const {
+  if (size() != out.size()) fail(fmt::format("has {} numbers, must have {}", size(), out.size()));
+  for (std::uint32_t i = 0; i < out.size(); ++i) out[i] = at(i).double_or(0.0);
+}
+
 void Value::read_clamped_numbers(std::span<float> out, float lowest, float highest) const {
   if (size() != out.size()) fail(fmt::format("has {} numbers, must have {}", size(), out.size()));
   for (std::uint32_t i = 0; i < out.size(); ++i) out[i] = at(i).clamped_or(0.0f, lowest, highest);
@@ -365,6 +374,11 @@ void Value::warn(const std::string& reason) const {
   if (warning.count++ > 0) return;
   warning.first_place = pointer();
   document_->warning_order_.push_back(reason);
+}
+
+void Value::repair(const std::string& reason) const {
+  if (document_->strict_) fail(reason);
+  warn(reason);
 }
 
 // What the value is, for error messages: scalars as written, containers by type.

@@ -29,7 +29,8 @@ class Document {
  public:
   // Throws Error(input_invalid) with line, column and byte offset where `text` is not JSON, or where it repeats a key
   // of an object, nests deeper than `limits.depth`, or has more values than fit `limits.bytes` of memory.
-  Document(std::filesystem::path file, std::string_view text, const GltfLimits& limits);
+  // strict: repairs are errors.
+  Document(std::filesystem::path file, std::string_view text, const GltfLimits& limits, bool strict = false);
   ~Document();
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;
@@ -49,6 +50,7 @@ class Document {
   [[nodiscard]] std::string pointer_to(const nlohmann::json& value) const;
 
   std::filesystem::path file_;
+  bool strict_;
   std::unique_ptr<nlohmann::json> json_;
   std::map<std::string, Warning> warnings_;  // by reason
   std::vector<std::string> warning_order_;
@@ -80,6 +82,8 @@ class Value {
   [[nodiscard]] std::uint64_t integer_or(std::uint64_t fallback, std::uint64_t lowest, std::uint64_t highest) const;
   [[nodiscard]] float number() const;  // finite, also as a float
   [[nodiscard]] float number_or(float fallback) const;
+  // As the file writes it, where two numbers are to be told apart that are equal as floats.
+  [[nodiscard]] double double_or(double fallback) const;
   // A factor out of its range has one plausible reading: the nearest value in the range, with a warning.
   [[nodiscard]] float clamped_or(float fallback, float lowest, float highest) const;
 
@@ -95,7 +99,8 @@ class Value {
   // An array of exactly as many numbers as the glm type has.
   template <class Vector>
   [[nodiscard]] Vector vector_or(Vector fallback) const {
-    if (*this) read_numbers({glm::value_ptr(fallback), sizeof(Vector) / sizeof(float)});
+    using Number = typename Vector::value_type;
+    if (*this) read_numbers(std::span<Number>(glm::value_ptr(fallback), sizeof(Vector) / sizeof(Number)));
     return fallback;
   }
   template <class Vector>
@@ -113,12 +118,16 @@ class Value {
   [[nodiscard]] const std::filesystem::path& file() const { return document_->file(); }
   [[noreturn]] void fail(const std::string& reason) const;
   void warn(const std::string& reason) const;
+  // For a breach of the specification that has one plausible reading, which the caller takes: warn(), or fail() where
+  // the document is strict.
+  void repair(const std::string& reason) const;
 
  private:
   friend class Document;
   Value(Document& document, const nlohmann::json* json) : document_(&document), json_(json) {}
   [[nodiscard]] std::string shown() const;
   void read_numbers(std::span<float> out) const;
+  void read_numbers(std::span<double> out) const;
   void read_clamped_numbers(std::span<float> out, float lowest, float highest) const;
 
   Document* document_ = nullptr;

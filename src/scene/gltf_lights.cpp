@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr float kAnyPositive = std::numeric_limits<float>::max();
 constexpr float kPi = std::numbers::pi_v<float>;
+constexpr double kDefaultOuterCone = std::numbers::pi / 4.0;
 
 float positive(const Value& value) {
   const float number = value.number();
@@ -26,14 +28,23 @@ LightKind read_light_kind(const Value& value) {
   value.fail(fmt::format("is '{}', must be directional, point or spot", type));
 }
 
+// 0, which the specification forbids, has always meant what leaving it out means.
+float read_range(const Value& value) {
+  if (!value || value.number() > 0.0f) return value.number_or(0.0f);
+  value.repair(fmt::format("is {}, must be more than 0; the light has no end", value.number()));
+  return 0.0f;
+}
+
 void read_cones(const Value& spot, Light& light) {
-  const Value inner = spot["innerConeAngle"], outer = spot["outerConeAngle"];
-  light.inner_cone = inner.number_or(light.inner_cone);
-  light.outer_cone = outer.number_or(light.outer_cone);
-  if (light.inner_cone < 0.0f) inner.fail("must be at least 0");
   constexpr float kWidest = kPi / 2.0f;
+  const Value inner = spot["innerConeAngle"], outer = spot["outerConeAngle"];
+  if (outer) light.outer_cone = positive(outer);
   if (light.outer_cone > kWidest) outer.fail("must be at most pi/2 radians");
-  if (!(light.inner_cone < light.outer_cone)) (outer ? outer : inner).fail("outerConeAngle must exceed innerConeAngle");
+  light.inner_cone = inner.clamped_or(light.inner_cone, 0.0f, kWidest);
+  // As the file writes them: a hard cone's angles may differ by less than floats do.
+  if (!(inner.double_or(0.0) < outer.double_or(kDefaultOuterCone)))
+    (outer ? outer : inner).repair("does not exceed the other cone's angle; the cone is hard");
+  light.inner_cone = std::min(light.inner_cone, light.outer_cone);
 }
 
 // --- extras -------------------------------------------------------------------------------------------------------
@@ -129,7 +140,7 @@ Light read_light(const Context& context, const Value& value) {
   light.kind = read_light_kind(value.require("type"));
   light.color = value["color"].clamped_vector_or(light.color, 0.0f, kAnyPositive);
   light.intensity = value["intensity"].clamped_or(light.intensity, 0.0f, kAnyPositive);
-  if (const Value range = value["range"]) light.range = positive(range);
+  light.range = read_range(value["range"]);
   if (light.kind == LightKind::spot) read_cones(value.require("spot"), light);
   read_light_extras(context, value, light);
   return light;

@@ -4,7 +4,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace velarium::scene::gltf {
 
@@ -145,6 +147,13 @@ std::array<const TextureRef*, 7> texture_refs(const Material& material) {
   return {&material.base_color_texture,    &material.metallic_roughness_texture, &material.normal_texture,
           &material.occlusion_texture,     &material.emissive_texture,           &material.specular_texture,
           &material.specular_color_texture};
+}
+
+std::array<TextureRef*, 7> texture_refs(Material& material) {
+  std::array<TextureRef*, 7> refs{};
+  std::ranges::transform(texture_refs(std::as_const(material)), refs.begin(),
+                         [](const TextureRef* ref) { return const_cast<TextureRef*>(ref); });
+  return refs;
 }
 
 void read_materials(Context& context) {

@@ -54,7 +54,7 @@ void supply_missing_uv(const Context& context, Accessors& accessors, const Value
     if (!ref->present() || !uv.empty()) continue;
     accessors.claim(value, primitive.vertex_count());
     uv.resize(primitive.vertex_count());
-    value.warn(fmt::format("has no TEXCOORD_{}, which its material asks for; 0 is used", ref->uv_set));
+    value.repair(fmt::format("has no TEXCOORD_{}, which its material asks for; 0 is used", ref->uv_set));
   }
 }
 
@@ -79,7 +79,7 @@ std::optional<Primitive> read_primitive(Context& context, Accessors& accessors, 
   std::vector<std::uint32_t> listed = indices ? read_indices(accessors, indices, primitive.vertex_count())
                                               : every_vertex(accessors, value, primitive.vertex_count());
   if (left_over(mode, listed.size()) > 0) {
-    value.warn("its last vertices make no whole line or triangle; they are ignored");
+    value.repair("its last vertices make no whole line or triangle; they are ignored");
   }
   primitive.indices = as_list(mode, std::move(listed));
   if (primitive.indices.empty()) return std::nullopt;
@@ -119,7 +119,8 @@ Mesh read_mesh(Context& context, Accessors& accessors, const Value& value) {
 }
 
 void complete_primitive(const Scene& scene, Primitive& primitive) {
-  for (const glm::vec3& position : primitive.vertices.positions) primitive.bounds.add(position);
+  for (const std::uint32_t i : primitive.indices) primitive.bounds.add(primitive.vertices.positions[i]);
+  fill_zero_normals(primitive);
   if (primitive.topology != Topology::triangles) return;
   if (primitive.vertices.normals.empty()) make_flat_normals(primitive);
   if (primitive.material == kNone || !primitive.vertices.tangents.empty()) return;

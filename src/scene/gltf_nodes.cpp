@@ -15,7 +15,7 @@ void read_transform(const Value& value, Node& node) {
     if (value["translation"] || rotation || value["scale"]) {
       matrix.fail("stands beside translation, rotation or scale; keep one of the two");
     }
-    node.matrix = matrix.vector_or(glm::mat4(1.0f));
+    node.matrix = matrix.vector_or(glm::dmat4(1.0));
     check_affine(matrix, *node.matrix);
     return;
   }
@@ -28,7 +28,7 @@ void read_node_weights(Context& context, const Value& value, Node& node) {
   const Value weights = value["weights"];
   if (!weights) return;
   if (node.mesh == kNone) {
-    weights.warn("belong to a node without a mesh; they are ignored");
+    weights.repair("belong to a node without a mesh; they are ignored");
     return;
   }
   const std::uint32_t count = morph_target_count(context, static_cast<std::uint32_t>(node.mesh));
@@ -47,7 +47,7 @@ Node read_node(Context& context, const Value& value, std::uint32_t node_count) {
   const Value skin = value["skin"];
   node.skin = skin.reference_or_none(context.root["skins"].size(), "skins");
   if (skin && node.mesh == kNone) {
-    skin.warn("belongs to a node without a mesh; it is ignored");
+    skin.repair("belongs to a node without a mesh; it is ignored");
     node.skin = kNone;
   }
   read_node_weights(context, value, node);

@@ -28,6 +28,7 @@ void read_materials(Context& context);
 void glossiness_to_roughness(float factor, std::vector<std::uint8_t>& rgba);
 // Every use of a texture that a material can have, present or not.
 [[nodiscard]] std::array<const TextureRef*, 7> texture_refs(const Material& material);
+[[nodiscard]] std::array<TextureRef*, 7> texture_refs(Material& material);
 
 void read_cameras(Context& context);
 

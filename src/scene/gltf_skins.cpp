@@ -58,7 +58,7 @@ MeshSkinning skinning_of(const Scene& scene, const Mesh& mesh) {
 void check_skinned_node(const Scene& scene, const Value& value, const MeshSkinning& mesh, Node& node) {
   const Value skin = value["skin"];
   if (mesh.skinned == 0) {
-    skin.warn("belongs to a mesh without joints; it is ignored");
+    skin.repair("belongs to a mesh without joints; it is ignored");
     node.skin = kNone;
     return;
   }

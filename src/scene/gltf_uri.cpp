@@ -1,6 +1,7 @@
 #include "scene/gltf_uri.hpp"
 
 #include "core/files.hpp"
+#include "scene/gltf_file_names.hpp"
 
 #include <velarium/error.hpp>
 
@@ -18,31 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kDataScheme = "data:";
-
-int hex_digit(char c) {
-  if (c >= '0' && c <= '9') return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-  return -1;
-}
-
-// RFC 3986, 2.1. Bytes that are not encoded, spaces and UTF-8 among them, stand for themselves.
-std::string percent_decoded(const Value& uri, std::string_view text) {
-  std::string decoded;
-  decoded.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] != '%') {
-      decoded += text[i];
-      continue;
-    }
-    const int high = i + 2 < text.size() ? hex_digit(text[i + 1]) : -1;
-    const int low = i + 2 < text.size() ? hex_digit(text[i + 2]) : -1;
-    if (high < 0 || low < 0) uri.fail("has a '%' without two hexadecimal digits after it; write a plain '%' as %25");
-    decoded += static_cast<char>(high * 16 + low);
-    i += 2;
-  }
-  return decoded;
-}
 
 constexpr std::array<std::int8_t, 256> make_base64_values() {
   std::array<std::int8_t, 256> values{};
@@ -82,7 +58,7 @@ std::vector<std::byte> data_uri_bytes(const Value& uri, std::string_view text) {
   std::string_view header = text.substr(0, comma);
   const std::string_view data = text.substr(comma + 1);
   constexpr std::string_view kBase64 = ";base64";
-  const bool base64 = header.ends_with(kBase64);
+  const bool base64 = lower_case(header).ends_with(kBase64);
   if (base64) header.remove_suffix(kBase64.size());
   for (std::size_t at = header.find(';'); at != std::string_view::npos;) {
     const std::size_t next = header.find(';', at + 1);
@@ -101,37 +77,13 @@ std::vector<std::byte> data_uri_bytes(const Value& uri, std::string_view text) {
   return base64_decoded(uri, percent_decoded(uri, data));
 }
 
-bool is_inside(const fs::path& folder, const fs::path& file) {
-  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
-}
-
-// The folder's and the file's places with every `..` and link resolved.
-fs::path resolved_file(const Value& uri, const fs::path& relative, const GltfOptions& options) {
-  std::error_code folder_error, file_error;
-  const fs::path base = uri.file().has_parent_path() ? uri.file().parent_path() : fs::path(".");
-  const fs::path folder = fs::canonical(base, folder_error);
-  fs::path file = fs::weakly_canonical(base / relative, file_error);
-  if (folder_error || file_error) {
-    throw Error(ErrorCode::input_missing, uri.file(),
-                fmt::format("{}: cannot find '{}': {}", uri.pointer(), relative.string(),
-                            (file_error ? file_error : folder_error).message()));
-  }
-  if (!options.allow_outside_files && !is_inside(folder, file)) {
-    uri.fail(fmt::format("names '{}', outside the folder of the scene; move the file there, or allow outside files",
-                         relative.string()));
-  }
-  return file;
-}
-
 UriData find_file(const Value& uri, std::string_view text, const GltfOptions& options, Budget& budget) {
-  const std::string_view first_segment = text.substr(0, text.find('/'));
+  const std::string_view first_segment = text.substr(0, text.find_first_of("/?#"));
   if (first_segment.find(':') != std::string_view::npos) {
     uri.fail("has a scheme; only data URIs and relative file names are read");
   }
   if (text.empty() || text.starts_with("//")) uri.fail("names no file");
-  const std::string name = percent_decoded(uri, text);
-  if (name.find('\0') != std::string::npos) uri.fail("holds a zero byte");
-  const fs::path file = resolved_file(uri, fs::path(name), options);
+  const auto [name, file] = find_beside(uri, text, options);
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (!fs::is_regular_file(status)) {  // devices and pipes could block for ever
@@ -151,9 +103,14 @@ UriData find_file(const Value& uri, std::string_view text, const GltfOptions& op
 
 }  // namespace
 
+// RFC 3986, 3.1: schemes ignore case.
+bool is_data_uri(std::string_view text) {
+  return lower_case(text.substr(0, kDataScheme.size())) == kDataScheme;
+}
+
 UriData find_uri(const Value& uri, const GltfOptions& options, Budget& budget) {
   const std::string_view text = uri.text();
-  if (!text.starts_with(kDataScheme)) return find_file(uri, text, options, budget);
+  if (!is_data_uri(text)) return find_file(uri, text, options, budget);
   if (!budget.fits(text.size())) uri.fail("with its data there are " + budget.refusal(text.size()));
   budget.spend(text.size());
   return {uri, {}, text.size()};

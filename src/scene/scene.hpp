@@ -20,16 +20,24 @@
 namespace velarium::scene {
 
 inline constexpr std::int32_t kNone = -1;
-inline constexpr std::size_t kMaxUvSets = 4;
+inline constexpr std::size_t kMaxUvSets = 8;
 
-struct Aabb {
-  glm::vec3 min{std::numeric_limits<float>::infinity()};
-  glm::vec3 max{-std::numeric_limits<float>::infinity()};
+// Box whose sides lie along the axes.
+template <class Vector>
+struct Box {
+  using Number = typename Vector::value_type;
+  Vector min{std::numeric_limits<Number>::infinity()};
+  Vector max{-std::numeric_limits<Number>::infinity()};
   [[nodiscard]] bool empty() const { return min.x > max.x; }
-  void add(const glm::vec3& point);
-  void add(const Aabb& box);
-  [[nodiscard]] Aabb transformed(const glm::mat4& by) const;
+  void add(const Vector& point);
+  void add(const Box& box);
 };
+using Aabb = Box<glm::vec3>;
+// The world is measured in doubles: a metre on a planet's surface is a float's last bit.
+using WorldAabb = Box<glm::dvec3>;
+
+// World space, of a box in an object's space.
+[[nodiscard]] WorldAabb transformed(const Aabb& box, const glm::dmat4& world_from_object);
 
 // --- textures ---------------------------------------------------------------------------------------------------
 
@@ -139,10 +147,10 @@ struct Node {
   std::string name;
   std::int32_t parent = kNone;
   std::vector<std::uint32_t> children;
-  glm::vec3 translation{0.0f};
+  glm::dvec3 translation{0.0};
   glm::quat rotation{1.0f, 0.0f, 0.0f, 0.0f};
   glm::vec3 scale{1.0f};
-  std::optional<glm::mat4> matrix;  // instead of the three above; such a node is never animated
+  std::optional<glm::dmat4> matrix;  // instead of the three above; such a node is never animated
   std::int32_t mesh = kNone, skin = kNone, camera = kNone, light = kNone;
   std::vector<float> weights;        // morph weights; empty: the mesh's
   std::vector<Placement> instances;  // of the mesh; empty: one, at the node itself

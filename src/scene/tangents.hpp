@@ -8,6 +8,10 @@ namespace velarium::scene {
 // Also splits every other attribute and morph target. Precondition: triangles without normals.
 void make_flat_normals(Primitive& primitive);
 
+// Gives normals of no length the mean direction of the triangles at their vertex, weighted by area; any where there are
+// none.
+void fill_zero_normals(Primitive& primitive);
+
 // Tangent frames after Mikkelsen, "Simulation of Wrinkled Surfaces Revisited" (2008), as the glTF specification asks:
 // the reference algorithm (MikkTSpace) on triangles with the texture coordinates of `uv_set`.
 // Vertices whose corners disagree are split. Precondition: triangles with normals and that uv set.

@@ -125,8 +125,8 @@ bool has_static(const CasterTable& table) {
   return std::any_of(table.casters.begin(), table.casters.end(), [](const Caster& caster) { return !caster.dynamic; });
 }
 
-scene::Aabb bounds_of(const CasterTable& table, CasterChoice choice) {
-  scene::Aabb bounds;
+scene::WorldAabb bounds_of(const CasterTable& table, CasterChoice choice) {
+  scene::WorldAabb bounds;
   for (const auto& caster : table.casters)
     if (is_chosen(caster, choice)) bounds.add(caster.bounds);
   return bounds;

@@ -15,8 +15,8 @@ struct Tables;
 enum class CasterKind : std::uint8_t { opaque, cutout, translucent };  // by AlphaMode: OPAQUE, MASK, BLEND
 
 struct Caster {
-  scene::Aabb bounds;  // world space
-  Draw draw;           // of this instance alone
+  scene::WorldAabb bounds;
+  Draw draw;  // of this instance alone
   CasterKind kind = CasterKind::opaque;
   bool dynamic = false;                    // may it stand or look otherwise at another time?
   std::span<const std::uint32_t> indices;  // of its triangles, and
@@ -37,7 +37,7 @@ struct CasterTable {
                                        const glm::dvec3& origin);
 
 // World space; empty where there are none.
-[[nodiscard]] scene::Aabb bounds_of(const CasterTable& table, CasterChoice choice = CasterChoice::all);
+[[nodiscard]] scene::WorldAabb bounds_of(const CasterTable& table, CasterChoice choice = CasterChoice::all);
 
 // Those of one kind whose bounds overlap a convex volume. planes: world space, as those of a Frustum.
 [[nodiscard]] std::vector<Draw> visible_casters(const CasterTable& table, CasterKind kind,

@@ -95,16 +95,15 @@ Frustum frustum_of(const glm::dmat4& clip_from_world) {
 }
 
 ObjectData object_data(const scene::Instance& instance, const glm::dvec3& origin) {
-  const glm::mat4& m = instance.world_from_object;
+  glm::dmat4 m = instance.world_from_object;
+  m[3] -= glm::dvec4(origin, 0.0);
+  const glm::mat4 rows(glm::transpose(m));
   ObjectData data{};
-  for (int row = 0; row < 3; ++row) {
-    const auto translation = static_cast<float>(static_cast<double>(m[3][row]) - origin[row]);
-    data.world_from_object[row] = {m[0][row], m[1][row], m[2][row], translation};
-  }
+  for (int row = 0; row < 3; ++row) data.world_from_object[row] = rows[row];
   return data;
 }
 
-bool overlaps(std::span<const glm::dvec4> planes, const scene::Aabb& box) {
+bool overlaps(std::span<const glm::dvec4> planes, const scene::WorldAabb& box) {
   for (const auto& plane : planes) {
     const glm::dvec3 farthest(plane.x > 0 ? box.max.x : box.min.x, plane.y > 0 ? box.max.y : box.min.y,
                               plane.z > 0 ? box.max.z : box.min.z);
@@ -119,7 +118,7 @@ DrawList make_draw_list(const scene::Scene& scene, const scene::SceneSnapshot& s
   for (const auto& instance : snapshot.instances) {
     if (instance.bounds.empty() || !overlaps(frustum, instance.bounds)) continue;
     const std::int32_t material = scene.primitives[instance.primitive].material;
-    const glm::dvec3 center = 0.5 * (glm::dvec3(instance.bounds.min) + glm::dvec3(instance.bounds.max)) - view.eye;
+    const glm::dvec3 center = 0.5 * (instance.bounds.min + instance.bounds.max) - view.eye;
     const auto& surface = material_or_default(scene, material);
     const bool blend = surface.alpha_mode == scene::AlphaMode::blend;
     // Of double-sided blended surfaces that are not sorted, each is drawn by itself: far side, then near side.

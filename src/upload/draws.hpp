@@ -36,7 +36,7 @@ using Frustum = std::array<glm::dvec4, 5>;  // left, right, lower, upper, near
 [[nodiscard]] Frustum frustum_of(const glm::dmat4& clip_from_world);
 
 // May a part of the box be inside all planes? Never wrong where it says no.
-[[nodiscard]] bool overlaps(std::span<const glm::dvec4> planes, const scene::Aabb& box);
+[[nodiscard]] bool overlaps(std::span<const glm::dvec4> planes, const scene::WorldAabb& box);
 
 // What shaders know of an instance.
 [[nodiscard]] ObjectData object_data(const scene::Instance& instance, const glm::dvec3& origin);

@@ -36,7 +36,7 @@ GpuLight gpu_light(const scene::LightInstance& instance, const glm::dvec3& origi
   const glm::vec2 cone = shading::spot_scale_offset(light.inner_cone, light.outer_cone);
   const bool directional = light.kind == scene::LightKind::directional;
   const float size = directional ? std::sin(light.angular_radius) : light.radius;
-  return {.position_range = glm::vec4(glm::vec3(glm::dvec3(instance.position) - origin), light.range),
+  return {.position_range = glm::vec4(glm::vec3(instance.position - origin), light.range),
           .direction = glm::vec4(instance.direction, gpu_kind(light.kind)),
           .color = glm::vec4(glm::min(light.color * light.intensity, kBrightestLight), size),
           .cone = {cone.x, cone.y, std::cos(light.outer_cone), gpu_falloff(light.falloff)},

@@ -30,6 +30,16 @@ vec3 material_emissive(FragmentInput f) {
   return material.emissive.rgb * sample_slot(emissive_map, kSlotEmissive, f.uv).rgb;
 }
 
+// KHR_materials_unlit, and points and lines without normals.
+bool is_unlit(FragmentInput f) {
+  return (material.flags & kMaterialUnlit) != 0u || dot(f.normal_ws, f.normal_ws) == 0.0;
+}
+
+// KHR_materials_unlit leaves out what glows; points and lines without normals do not (glTF 2.0, 3.9.7).
+vec3 unlit_radiance(FragmentInput f, vec3 base_color) {
+  return (material.flags & kMaterialUnlit) != 0u ? base_color : base_color + material_emissive(f);
+}
+
 // The shading normal, and how far the map's normals spread within the texels that were read.
 struct MaterialNormal {
   vec3 normal_ws;

@@ -22,7 +22,7 @@ double Viewpoint::farness(const glm::dvec3& from_eye) const {
 }
 
 std::vector<std::uint32_t> far_to_near(std::span<const std::uint32_t> indices, std::span<const glm::vec3> positions,
-                                       const glm::mat4& world_from_object, const Viewpoint& view) {
+                                       const glm::dmat4& world_from_object, const Viewpoint& view) {
   const glm::dmat3 turn(world_from_object);
   const glm::dvec3 shift = glm::dvec3(world_from_object[3]) - view.eye;
   const std::size_t count = indices.size() / 3;

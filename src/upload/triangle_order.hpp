@@ -22,6 +22,6 @@ struct Viewpoint {
 // is wrong for parts of them.
 [[nodiscard]] std::vector<std::uint32_t> far_to_near(std::span<const std::uint32_t> indices,
                                                      std::span<const glm::vec3> positions,
-                                                     const glm::mat4& world_from_object, const Viewpoint& view);
+                                                     const glm::dmat4& world_from_object, const Viewpoint& view);
 
 }  // namespace velarium::upload

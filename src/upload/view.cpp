@@ -44,7 +44,7 @@ glm::vec4 ndc_to_view(const glm::mat4& p, bool perspective) {
 
 ViewMatrices view_matrices(const scene::CameraInstance& camera, float aspect) {
   return {.eye = glm::dvec3(camera.world_from_view[3]),
-          .view_from_world = glm::transpose(glm::mat3(camera.world_from_view)),
+          .view_from_world = glm::transpose(glm::mat3(glm::mat4(camera.world_from_view))),
           .clip_from_view = scene::clip_from_view(camera.camera, aspect)};
 }
 

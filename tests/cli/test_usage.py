@@ -148,6 +148,13 @@ class WrongFiles(CliTest):
             self.expect(INVALID, verb, "inside/a.gltf", says="triangle.bin")
         self.expect(OK, "info", "--allow-outside-files", "inside/a.gltf")
 
+    def test_breaches_are_read_with_a_warning_or_refused(self):
+        scene = triangle_gltf(materials=[{"pbrMetallicRoughness": {"metallicFactor": 7}}])
+        self.write("a.gltf", scene)
+        for verb in ("info", "render"):
+            self.expect(OK, verb, "a.gltf", says="is 7, outside its range; 1 is used instead")
+            self.expect(INVALID, verb, "--strict", "a.gltf", says="metallicFactor: is 7")
+
     def test_destinations_are_checked_before_the_scene(self):
         self.expect(NOT_WRITTEN, "render", "none.gltf", "-o", "nowhere/a.png", says="no folder")
         self.expect(NOT_WRITTEN, "render", "none.gltf", "--timings", "nowhere/t.json", says="no folder")

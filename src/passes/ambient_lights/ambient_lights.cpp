@@ -12,15 +12,15 @@ constexpr double kThinnest = 1e-6;  // metres
 
 // The unit sphere becomes the volume.
 glm::dmat3 extents_of(const scene::AmbientLightInstance& instance) {
-  return glm::dmat3(glm::mat3(instance.world_from_node)) * static_cast<double>(instance.light.range);
+  return glm::dmat3(instance.world_from_node) * static_cast<double>(instance.light.range);
 }
 
-scene::Aabb bounds_of(const glm::dmat3& extents, const glm::dvec3& center) {
+scene::WorldAabb bounds_of(const glm::dmat3& extents, const glm::dvec3& center) {
   const glm::dmat3 rows = glm::transpose(extents);
   const glm::dvec3 half(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
-  scene::Aabb bounds;
-  bounds.add(glm::vec3(center - half));
-  bounds.add(glm::vec3(center + half));
+  scene::WorldAabb bounds;
+  bounds.add(center - half);
+  bounds.add(center + half);
   return bounds;
 }
 

@@ -35,9 +35,8 @@ vec3 shade(FragmentInput f, vec3 base_color) {
 void main() {
   FragmentInput f = FragmentInput(varying_normal_ws, varying_tangent_ws, varying_uv, varying_color, gl_FrontFacing);
   vec4 base_color = material_base_color(f);
-  bool unlit = (material.flags & kMaterialUnlit) != 0u || dot(f.normal_ws, f.normal_ws) == 0.0;
   float alpha = clamp(base_color.a, 0.0, 1.0);
   receiver_transmittance = blend_transmittance(clamp(base_color.rgb, 0.0, 1.0), alpha);
-  vec3 radiance = unlit ? base_color.rgb : shade(f, base_color.rgb);
+  vec3 radiance = is_unlit(f) ? unlit_radiance(f, base_color.rgb) : shade(f, base_color.rgb);
   out_hdr = vec4(min(radiance, kLargestHalf) * alpha, alpha);
 }

@@ -21,11 +21,9 @@ void main() {
   vec4 base_color = material_base_color(f);
   if (kAlphaTest && base_color.a < material.metal_rough.w) discard;
 
-  // Points and lines without normals are unlit, too (glTF 2.0, 3.7.2.1).
-  bool unlit = (material.flags & kMaterialUnlit) != 0u || dot(f.normal_ws, f.normal_ws) == 0.0;
-  if (unlit) {
+  if (is_unlit(f)) {
     out_normal = out_albedo = out_specular = vec4(0.0);
-    out_emissive = vec4(min(base_color.rgb, kLargestHalf), 1.0);
+    out_emissive = vec4(min(unlit_radiance(f, base_color.rgb), kLargestHalf), 1.0);
     return;
   }
   Surface surface = material_surface(f, base_color.rgb);

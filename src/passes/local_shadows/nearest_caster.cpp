@@ -75,8 +75,7 @@ double nearest_caster(const upload::CasterTable& table, const glm::dvec3& origin
     const auto& caster = table.casters[i];
     if (caster.kind == upload::CasterKind::translucent && !translucent) continue;
     const glm::dvec3 from = origin + position;
-    const float box =
-        squared_distance(vec3(glm::dvec3(caster.bounds.min) - from), vec3(glm::dvec3(caster.bounds.max) - from));
+    const float box = squared_distance(vec3(caster.bounds.min - from), vec3(caster.bounds.max - from));
     if (box < best) boxes.emplace_back(box, i);
   }
   std::sort(boxes.begin(), boxes.end());

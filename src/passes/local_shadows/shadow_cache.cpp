@@ -40,8 +40,8 @@ std::uint64_t fingerprint(const View& view, const glm::dvec3& origin, const uplo
     if (!upload::overlaps(planes, caster.bounds)) continue;
     hash = mixed(mixed(hash, caster.draw.primitive), caster.draw.material);
     for (int axis = 0; axis < 3; ++axis)
-      hash = mixed(mixed(hash, std::bit_cast<std::uint32_t>(caster.bounds.min[axis])),
-                   std::bit_cast<std::uint32_t>(caster.bounds.max[axis]));
+      hash = mixed(mixed(hash, std::bit_cast<std::uint64_t>(caster.bounds.min[axis])),
+                   std::bit_cast<std::uint64_t>(caster.bounds.max[axis]));
   }
   return hash;
 }

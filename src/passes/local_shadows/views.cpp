@@ -31,12 +31,12 @@ struct Box {
   dvec3 low, high;
 };
 
-Box relative_box(const scene::Aabb& box, const dvec3& origin) {
-  return {dvec3(box.min) - origin, dvec3(box.max) - origin};
+Box relative_box(const scene::WorldAabb& box, const dvec3& origin) {
+  return {box.min - origin, box.max - origin};
 }
 
 Box bounds_of(const upload::CasterTable& casters, const dvec3& origin) {
-  scene::Aabb all;
+  scene::WorldAabb all;
   for (const auto& caster : casters.casters) all.add(caster.bounds);
   Box box = relative_box(all, origin);
   const dvec3 slack(kBoundsSlack * glm::length(box.high - box.low));
@@ -93,7 +93,7 @@ bool cone_reaches(const GpuLight& light, const dvec3& axis) {
 }
 
 struct NearCasters {
-  std::vector<scene::Aabb> solids, translucent;  // opaque ones and cutouts; translucent ones
+  std::vector<scene::WorldAabb> solids, translucent;  // opaque ones and cutouts; translucent ones
 };
 
 // What all lights of a picture share.
@@ -131,23 +131,23 @@ struct Surroundings {
       if (is_translucent && !translucent) continue;
       const Box box = relative_box(caster.bounds, viewer.origin);
       if (reaches(box, position, reach))
-        (is_translucent ? found.translucent : found.solids).push_back({glm::vec3(box.low), glm::vec3(box.high)});
+        (is_translucent ? found.translucent : found.solids).push_back({box.low, box.high});
     }
     return found;
   }
 };
 
-std::vector<scene::Aabb> inside(const Solid& solid, const std::vector<scene::Aabb>& boxes) {
+std::vector<scene::WorldAabb> inside(const Solid& solid, const std::vector<scene::WorldAabb>& boxes) {
   std::vector<glm::dvec4> planes;
   for (const auto& side : solid) planes.push_back(side.plane);
-  std::vector<scene::Aabb> found;
+  std::vector<scene::WorldAabb> found;
   std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(found),
                [&](const auto& box) { return upload::overlaps(planes, box); });
   return found;
 }
 
 // Of boxes that reach before the near plane no tangent is known: they may be anywhere.
-TranslucentBounds translucent_bounds(const View& view, const std::vector<scene::Aabb>& boxes) {
+TranslucentBounds translucent_bounds(const View& view, const std::vector<scene::WorldAabb>& boxes) {
   if (boxes.empty()) return {};
   const double all = view.half_tangent + static_cast<double>(view.kernel);
   TranslucentBounds bounds{view.reach, glm::dvec2(all), glm::dvec2(-all)};

@@ -28,9 +28,8 @@ View fit_view(const upload::ViewMatrices& view) {
           .perspective = projection[3][3] == 0.0f};
 }
 
-Sphere sphere_around(const scene::Aabb& bounds) {
-  const glm::dvec3 low(bounds.min), high(bounds.max);
-  return {0.5 * (low + high), 0.5 * glm::length(high - low)};
+Sphere sphere_around(const scene::WorldAabb& bounds) {
+  return {0.5 * (bounds.min + bounds.max), 0.5 * glm::length(bounds.max - bounds.min)};
 }
 
 // How many maps the static map replaces, the last ones [Schulz 2014, Ryse: the fourth and the fifth].

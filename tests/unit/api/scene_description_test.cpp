@@ -234,7 +234,7 @@ TEST(SceneDescription, PlacesLightsAndCamerasAsTheirParentsStand) {
   description.cameras[0].parent = 0;
   const Scene scene = Scene::make(description);
   const scene::SceneSnapshot snapshot = scene::snapshot_at(scene.tables(), 0.0f, "");
-  EXPECT_EQ(snapshot.lights[1].position, glm::vec3(1, 2, 2));
+  EXPECT_EQ(snapshot.lights[1].position, glm::dvec3(1, 2, 2));
   EXPECT_LT(glm::length(snapshot.lights[0].direction - glm::vec3(0, -1, 0)), 1e-6f);
   EXPECT_LT(glm::length(snapshot.lights[1].direction - glm::vec3(0, 0, -1)), 1e-6f);
   EXPECT_EQ(glm::vec3(snapshot.cameras[0].world_from_view[3]), glm::vec3(0, 0, 4));
@@ -270,8 +270,8 @@ TEST(SceneDescription, MatricesAndColorsArriveAsTheyAre) {
   description.nodes[1].matrix = {{2, 0, 0, 0, 0, 3, 0, 0, 0, 0, 4, 0, 5, 6, 7, 1}};  // the translation stands last
   const Scene scene = Scene::make(description);
   const scene::SceneSnapshot snapshot = scene::snapshot_at(scene.tables(), 0.0f, "");
-  EXPECT_EQ(snapshot.bounds.min, glm::vec3(5, 6, 6));
-  EXPECT_EQ(snapshot.bounds.max, glm::vec3(7, 9, 6));
+  EXPECT_EQ(snapshot.bounds.min, glm::dvec3(5, 6, 6));
+  EXPECT_EQ(snapshot.bounds.max, glm::dvec3(7, 9, 6));
   EXPECT_EQ(scene.tables().primitives.front().colors[2], glm::vec4(0, 1, 1, 0.5f));
 }
 

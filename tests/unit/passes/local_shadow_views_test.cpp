@@ -41,7 +41,7 @@ GpuLight spot(const glm::vec3& position, const glm::vec3& direction, float outer
   return light;
 }
 
-upload::CasterTable casters(std::initializer_list<scene::Aabb> boxes) {
+upload::CasterTable casters(std::initializer_list<scene::WorldAabb> boxes) {
   upload::CasterTable table;
   for (const auto& box : boxes) table.casters.push_back({box, {}, upload::CasterKind::opaque});
   return table;

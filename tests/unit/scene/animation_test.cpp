@@ -113,7 +113,7 @@ TEST(Animation, ChoiceIsByNameOrIndexOrAllOrTheFirst) {
   const Scene scene = scene_with_animations();
   const auto x_and_scale = [&](const std::string& choice) {
     const auto poses = poses_at(scene, 0.5f, choice);
-    return Floats{poses[0].translation.x, poses[1].scale.x};
+    return Floats{static_cast<float>(poses[0].translation.x), poses[1].scale.x};
   };
   expect_near(x_and_scale(""), {1, 1});
   expect_near(x_and_scale("move"), {1, 1});
@@ -138,7 +138,7 @@ TEST(Animation, AnUnknownChoiceListsThoseThereAre) {
 TEST(Animation, WithoutAnimationsEveryNodeRests) {
   Scene scene = scene_with_animations();
   scene.animations.clear();
-  for (const char* choice : {"", "all"}) EXPECT_EQ(poses_at(scene, 0.5f, choice)[0].translation, glm::vec3(7));
+  for (const char* choice : {"", "all"}) EXPECT_EQ(poses_at(scene, 0.5f, choice)[0].translation, glm::dvec3(7));
 }
 
 TEST(Animation, MorphWeightsComeFromTheAnimationTheNodeOrTheMesh) {

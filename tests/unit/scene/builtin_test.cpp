@@ -100,7 +100,7 @@ TEST(Builtin, FurnaceIsWhiteAndHasNothingButSpheres) {
 TEST(Builtin, CornellWallsFaceInAndTheLampHasTheFluxOfItsArea) {
   const Scene scene = builtin_scene("cornell");
   const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
-  const glm::vec3 center = 0.5f * (snapshot.bounds.min + snapshot.bounds.max);
+  const glm::vec3 center(0.5 * (snapshot.bounds.min + snapshot.bounds.max));
   std::size_t walls = 0;
   for (const Instance& instance : snapshot.instances) {
     const Primitive& p = scene.primitives[instance.primitive];
@@ -123,12 +123,12 @@ TEST(Builtin, EveryCameraSeesTheWholeScene) {
     const Scene scene = builtin_scene(name);
     const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
     ASSERT_EQ(snapshot.cameras.size(), 1u);
-    const glm::mat4 clip_from_world =
-        clip_from_view(snapshot.cameras[0].camera, kAspect) * glm::inverse(snapshot.cameras[0].world_from_view);
+    const glm::dmat4 clip_from_world = glm::dmat4(clip_from_view(snapshot.cameras[0].camera, kAspect)) *
+                                       glm::inverse(snapshot.cameras[0].world_from_view);
     glm::vec3 low(1e9f), high(-1e9f);
     for (const Instance& instance : snapshot.instances) {
       for (const glm::vec3& q : scene.primitives[instance.primitive].vertices.positions) {
-        const glm::vec4 clip = clip_from_world * instance.world_from_object * glm::vec4(q, 1);
+        const glm::vec4 clip(clip_from_world * instance.world_from_object * glm::dvec4(q, 1));
         ASSERT_GT(clip.w, 0.0f);
         low = glm::min(low, glm::vec3(clip) / clip.w);
         high = glm::max(high, glm::vec3(clip) / clip.w);

@@ -94,13 +94,14 @@ struct Framed {
   float nearest = 1e9f;
 };
 
-Framed framed(const CameraInstance& c, const Aabb& box, float aspect) {
+Framed framed(const CameraInstance& c, const WorldAabb& box, float aspect) {
   Framed out;
-  const glm::mat4 view_from_world = glm::inverse(c.world_from_view), clip = clip_from_view(c.camera, aspect);
+  const glm::dmat4 view_from_world = glm::inverse(c.world_from_view);
+  const glm::mat4 clip = clip_from_view(c.camera, aspect);
   for (int i = 0; i < 8; ++i) {
-    const glm::vec3 corner((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
-                           (i & 4) ? box.max.z : box.min.z);
-    const glm::vec3 view(view_from_world * glm::vec4(corner, 1));
+    const glm::dvec3 corner((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
+                            (i & 4) ? box.max.z : box.min.z);
+    const glm::vec3 view(view_from_world * glm::dvec4(corner, 1));
     const glm::vec2 p(project(clip, view));
     out.min = glm::min(out.min, p);
     out.max = glm::max(out.max, p);
@@ -110,13 +111,13 @@ Framed framed(const CameraInstance& c, const Aabb& box, float aspect) {
 }
 
 TEST(FittedCamera, SeesTheWholeBoxCentredAndJustInside) {
-  const std::array<Aabb, 6> boxes{{{{-1, -1, -1}, {1, 1, 1}},
-                                   {{100, 0, -50}, {101, 30, -49}},
-                                   {{-500, 0, -400}, {500, 1, 400}},
-                                   {{0, 0, 0}, {0.001f, 0.002f, 0.003f}},
-                                   {{0, 0, 0}, {1e-6f, 2e-6f, 3e-6f}},
-                                   {{-1, 0, -1}, {1, 0, 1}}}};
-  for (const Aabb& box : boxes) {
+  const std::array<WorldAabb, 6> boxes{{{{-1, -1, -1}, {1, 1, 1}},
+                                        {{100, 0, -50}, {101, 30, -49}},
+                                        {{-500, 0, -400}, {500, 1, 400}},
+                                        {{0, 0, 0}, {0.001, 0.002, 0.003}},
+                                        {{0, 0, 0}, {1e-6, 2e-6, 3e-6}},
+                                        {{-1, 0, -1}, {1, 0, 1}}}};
+  for (const WorldAabb& box : boxes) {
     for (const float aspect : {0.25f, 1.0f, 16.0f / 9.0f, 4.0f}) {
       const CameraInstance c = fitted_camera(box, aspect);
       const Framed f = framed(c, box, aspect);
@@ -133,13 +134,13 @@ TEST(FittedCamera, SeesTheWholeBoxCentredAndJustInside) {
 }
 
 TEST(FittedCamera, ServesScenesOfNoOrInfiniteExtent) {
-  const float infinity = std::numeric_limits<float>::infinity();
-  const std::array<Aabb, 5> boxes{{{},
-                                   {glm::vec3(3), glm::vec3(3)},
-                                   {glm::vec3(1e8f), glm::vec3(1e8f)},
-                                   {glm::vec3(-3e38f), glm::vec3(3e38f)},
-                                   {glm::vec3(-infinity), glm::vec3(infinity)}}};
-  for (const Aabb& box : boxes) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::array<WorldAabb, 5> boxes{{{},
+                                        {glm::dvec3(3), glm::dvec3(3)},
+                                        {glm::dvec3(1e8), glm::dvec3(1e8)},
+                                        {glm::dvec3(-3e38), glm::dvec3(3e38)},
+                                        {glm::dvec3(-infinity), glm::dvec3(infinity)}}};
+  for (const WorldAabb& box : boxes) {
     const CameraInstance c = fitted_camera(box, 1.5f);
     for (int column = 0; column < 4; ++column) {
       for (int row = 0; row < 4; ++row) EXPECT_TRUE(std::isfinite(c.world_from_view[column][row]));

@@ -173,9 +173,28 @@ TEST(GltfAccessor, ViewsAreChecked) {
   refuse("byteOffset", 72, "/bufferViews/0/byteOffset: is 72, beyond");
   refuse("byteOffset", 9223372036854775807ull, "/bufferViews/0/byteOffset: ");
   refuse("byteOffset", 2, "/accessors/0: starts at byte 2 of its buffer");
-  refuse("byteStride", 6, "/bufferViews/0/byteStride: is 6, must be a multiple of 4");
-  refuse("byteStride", 256, "/bufferViews/0/byteStride: is 256");
+  refuse("byteStride", 6, "/accessors/0: its view's byteStride, 6, is less than an element's 12 bytes");
+  refuse("byteStride", 256, "/accessors/0: 524 bytes from 0 on do not fit");
   refuse("byteStride", 8, "/accessors/0: its view's byteStride, 8, is less than an element's 12 bytes");
+}
+
+TEST(GltfAccessor, StridesOutOfTheRulesAreRead) {
+  const std::vector<glm::vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  Model packed = triangle();
+  packed.root["bufferViews"][0]["byteStride"] = 0;
+  EXPECT_EQ(expect_repaired(packed, "/bufferViews/0/byteStride: is 0").primitives.at(0).vertices.positions, corners);
+  for (const std::size_t stride : {14, 256}) {
+    Model wide = triangle();
+    std::vector<std::uint8_t> bytes(2 * stride + sizeof(glm::vec3));
+    for (std::size_t i = 0; i < 3; ++i) std::memcpy(bytes.data() + i * stride, &corners[i], sizeof(glm::vec3));
+    const int view = wide.root["accessors"][wide.add<std::uint8_t>(
+        "SCALAR", kUnsignedByte, static_cast<int>(bytes.size()), bytes)]["bufferView"];
+    wide.root["bufferViews"][view]["byteStride"] = stride;
+    wide.root["accessors"][0]["bufferView"] = view;
+    wide.root["accessors"].erase(2);
+    const Scene scene = expect_repaired(wide, "/byteStride: is " + std::to_string(stride) + ", not a multiple of 4");
+    EXPECT_EQ(scene.primitives.at(0).vertices.positions, corners);
+  }
 }
 
 TEST(GltfAccessor, NotANumberIsRefused) {

@@ -45,8 +45,8 @@ TEST(AmbientLights, StandAtTheirNodes) {
   ASSERT_EQ(snapshot.ambient_lights.size(), 1u);
   const AmbientLightInstance& instance = snapshot.ambient_lights[0];
   EXPECT_EQ(instance.light.color, light.color);
-  EXPECT_EQ(instance.world_from_node[3], glm::vec4(1, 2, 3, 1));
-  EXPECT_EQ(instance.world_from_node[0], glm::vec4(2, 0, 0, 0));
+  EXPECT_EQ(instance.world_from_node[3], glm::dvec4(1, 2, 3, 1));
+  EXPECT_EQ(instance.world_from_node[0], glm::dvec4(2, 0, 0, 0));
 }
 
 TEST(AmbientLights, MoveWithTheirNodes) {
@@ -58,7 +58,7 @@ TEST(AmbientLights, MoveWithTheirNodes) {
   model.root["animations"] = {{{"samplers", {{{"input", times}, {"output", places}}}},
                                {"channels", {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}}}}};
   const Scene scene = read(model);
-  EXPECT_EQ(snapshot_at(scene, 0.5f, "").ambient_lights.at(0).world_from_node[3], glm::vec4(2, 0, 0, 1));
+  EXPECT_EQ(snapshot_at(scene, 0.5f, "").ambient_lights.at(0).world_from_node[3], glm::dvec4(2, 0, 0, 1));
 }
 
 TEST(AmbientLights, OfNodesThatAreNotShownAreDark) {

@@ -96,9 +96,17 @@ TEST(GltfAnimation, CountsAndFormatsAgree) {
 }
 
 TEST(GltfAnimation, TimesIncrease) {
-  expect_refused(animated("scale", {0, 0}, vectors(2)), "/animations/0/samplers/0/input: time number 1 is not after");
   expect_refused(animated("scale", {1, 0.5f}, vectors(2)), "/animations/0/samplers/0/input: time number 1");
   expect_refused(animated("scale", {-1, 0.5f}, vectors(2)), "/animations/0/samplers/0/input: starts at -1 s");
+}
+
+TEST(GltfAnimation, OfKeysOfOneTimeTheLastStays) {
+  const Scene scene = expect_repaired(animated("scale", {0, 1, 1, 1, 2}, vectors(5)),
+                                      "/animations/0/samplers/0/input: has keys of one time");
+  const AnimationSampler& sampler = scene.animations.at(0).samplers.at(0);
+  EXPECT_EQ(sampler.times, (std::vector<float>{0, 1, 2}));
+  const std::vector<float> wanted{0, 1, 2, 9, 10, 11, 12, 13, 14};
+  EXPECT_EQ(sampler.values, wanted);
 }
 
 TEST(GltfAnimation, TargetsAreChecked) {

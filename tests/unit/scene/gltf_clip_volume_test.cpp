@@ -34,7 +34,7 @@ TEST(ClipVolume, ABoxOfItsHalfSize) {
   for (const glm::vec3& outside : {glm::vec3(4.01f, 0, 0), glm::vec3(0, -2.01f, 0), glm::vec3(0, 0, 6.01f)})
     EXPECT_FALSE(holds(hall, outside));
   EXPECT_EQ(hall.bounds.min, glm::vec3(-4, -2, -6));
-  EXPECT_EQ(snapshot_at(scene, 0.0f, "").world_from_clip_volume.at(0)[3], glm::vec4(1, 2, 3, 1));
+  EXPECT_EQ(snapshot_at(scene, 0.0f, "").world_from_clip_volume.at(0)[3], glm::dvec4(1, 2, 3, 1));
 }
 
 // A prism of `sides` sides about the Y axis, one metre around and two high, open above and below.

@@ -26,8 +26,8 @@ Model instanced() {
   return model;
 }
 
-void expect_box(const Aabb& box, const glm::vec3& min, const glm::vec3& max) {
-  constexpr float kTolerance = 1e-4f;  // sixteen bits of rotation
+void expect_box(const WorldAabb& box, const glm::dvec3& min, const glm::dvec3& max) {
+  constexpr double kTolerance = 1e-4;  // sixteen bits of rotation
   EXPECT_LE(glm::length(box.min - min), kTolerance) << box.min.x << ' ' << box.min.y << ' ' << box.min.z;
   EXPECT_LE(glm::length(box.max - max), kTolerance) << box.max.x << ' ' << box.max.y << ' ' << box.max.z;
 }

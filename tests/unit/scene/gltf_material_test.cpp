@@ -94,9 +94,9 @@ TEST(GltfMaterial, WrongOnesAreRefused) {
   expect_refused(with_material(R"({"emissiveTexture": {}})"), "/materials/0/emissiveTexture: has no property 'index'");
   expect_refused(with_material(R"({"emissiveTexture": {"index": 0}})"),
                  "/materials/0/emissiveTexture/index: is 0, but there are 0 textures");
-  Model model = with_material(R"({"emissiveTexture": {"index": 0, "texCoord": 4}})");
+  Model model = with_material(R"({"emissiveTexture": {"index": 0, "texCoord": 8}})");
   model.root["textures"] = {Json::object()};
-  expect_error(ErrorCode::unsupported, "/materials/0/emissiveTexture/texCoord: is 4",
+  expect_error(ErrorCode::unsupported, "/materials/0/emissiveTexture/texCoord: is 8",
                [&] { static_cast<void>(read(model)); });
 }
 
@@ -212,13 +212,14 @@ TEST(GltfTexture, WrongOnesAreRefused) {
   expect_refused(model, "/textures/0/source: is 0, but there are 0 images");
 }
 
+void expect_red(const Scene& scene) {
+  ASSERT_EQ(scene.images.size(), 1u);
+  EXPECT_EQ(scene.textures.at(0).image, 0);
+  EXPECT_EQ(scene.images[0].width, 1u);
+  EXPECT_EQ(scene.images[0].rgba, (std::vector<std::uint8_t>{255, 0, 0, 255}));
+}
+
 TEST(GltfImage, FromDataFileAndView) {
-  const auto expect_red = [](const Scene& scene) {
-    ASSERT_EQ(scene.images.size(), 1u);
-    EXPECT_EQ(scene.textures.at(0).image, 0);
-    EXPECT_EQ(scene.images[0].width, 1u);
-    EXPECT_EQ(scene.images[0].rgba, (std::vector<std::uint8_t>{255, 0, 0, 255}));
-  };
   // The declared type is not believed: content decides.
   expect_red(read(textured(kShowsTexture, {{"uri", "data:image/jpeg;base64," + base64(red_png())}})));
   Model embedded = textured(kShowsTexture, {{"mimeType", "image/png"}});
@@ -259,9 +260,43 @@ TEST(GltfImage, WrongOnesAreRefused) {
   expect_refused(textured(kShowsTexture, {{"uri", "data:,text"}}), "/images/0: ");
   expect_refused(textured(kShowsTexture, {{"uri", "data:;base64," + base64(red_png().substr(0, 40))}}), "/images/0: ");
   expect_refused(textured(kShowsTexture, {{"uri", "https://example.org/a.png"}}), "/images/0/uri: has a scheme");
-  const Model absent = textured(kShowsTexture, {{"uri", "absent.png"}});
+}
+
+TEST(GltfImage, AMissingFileLeavesTheFactor) {
+  Model model = textured(kShowsTexture, {{"uri", "absent.png"}});
+  GltfOptions strict;
+  strict.strict = true;
   expect_error(ErrorCode::input_missing, "/images/0/uri: 'absent.png' does not exist",
-               [&] { static_cast<void>(read(absent)); });
+               [&] { static_cast<void>(read(model, strict)); });
+  const Scene scene = read(model);
+  EXPECT_TRUE(has_warning(scene, "'absent.png' does not exist; baseColorTexture of /materials/0 is left out"));
+  EXPECT_FALSE(scene.materials.at(0).base_color_texture.present());
+  model.root["materials"][0]["normalTexture"] = {{"index", 0}};
+  const Scene bumpy = read(model);
+  EXPECT_TRUE(has_warning(bumpy, "baseColorTexture of /materials/0 and 1 more is left out"));
+  EXPECT_FALSE(bumpy.materials.at(0).normal_texture.present());
+}
+
+// As other systems and servers spell them.
+TEST(GltfImage, FilesUnderAnotherSpelling) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "Textures");
+  folder.write("Textures/Red.png", red_png());
+  for (const char* uri : {"textures/red.PNG", "Textures\\Red.png", "textures%5CRed.png", "Textures/Red.png?v=2#top"}) {
+    const auto file = folder.write("model.gltf", textured(kShowsTexture, {{"uri", uri}}).text());
+    const Scene scene = read_gltf(file);
+    expect_red(scene);
+    EXPECT_TRUE(has_warning(scene, "does not exist; 'Textures/Red.png' was read")) << uri;
+    EXPECT_THROW(static_cast<void>(read_gltf(file, {.strict = true})), Error) << uri;
+  }
+  // Another spelling leads out of the folder no more than the first.
+  const auto file =
+      folder.write("Textures/model.gltf", textured(kShowsTexture, {{"uri", "..\\textures\\red.png"}}).text());
+  EXPECT_THROW(static_cast<void>(read_gltf(file)), Error);
+}
+
+TEST(GltfImage, SchemesIgnoreCase) {
+  expect_red(read(textured(kShowsTexture, {{"uri", "DATA:image/png;BASE64," + base64(red_png())}})));
 }
 
 TEST(GltfImage, SizesAreBoundedBeforeDecoding) {

@@ -160,17 +160,16 @@ TEST(GltfMesh, AttributesAgreeInCountAndFormat) {
   Model model = triangle();
   model.primitive()["attributes"]["TEXCOORD_0"] = model.add<float>("VEC2", kFloat, 2, {0, 0, 0, 0});
   expect_refused(model, "/meshes/0/primitives/0/attributes/TEXCOORD_0: has 2 elements, but there are 3 vertices");
-  model.primitive()["attributes"]["TEXCOORD_0"] =
-      model.add<std::uint16_t>("VEC2", kUnsignedShort, 3, {0, 0, 0, 0, 0, 0});
-  expect_refused(model, "/meshes/0/primitives/0/attributes/TEXCOORD_0: is an accessor of VEC2 UNSIGNED_SHORT");
+  model.primitive()["attributes"]["TEXCOORD_0"] = model.add<std::int16_t>("VEC2", kShort, 3, {0, 0, 0, 0, 0, 0});
+  expect_refused(model, "/meshes/0/primitives/0/attributes/TEXCOORD_0: is an accessor of VEC2 SHORT");
   model.primitive()["attributes"].erase("TEXCOORD_0");
   model.primitive()["attributes"]["_OWN"] = 77;
   expect_refused(model, "/meshes/0/primitives/0/attributes/_OWN: is 77, but there are");
 }
 
-TEST(GltfMesh, FourSetsOfTextureCoordinates) {
+TEST(GltfMesh, EightSetsOfTextureCoordinates) {
   Model model = triangle();
-  for (int set = 0; set < 5; ++set) {
+  for (int set = 0; set < 9; ++set) {
     const auto value = static_cast<float>(set);
     model.primitive()["attributes"]["TEXCOORD_" + std::to_string(set)] =
         model.add<float>("VEC2", kFloat, 3, std::vector<float>(6, value));
@@ -179,7 +178,40 @@ TEST(GltfMesh, FourSetsOfTextureCoordinates) {
   for (std::size_t set = 0; set < kMaxUvSets; ++set) {
     EXPECT_EQ(scene.primitives.at(0).uv[set].at(2), glm::vec2(static_cast<float>(set)));
   }
-  EXPECT_TRUE(has_warning(scene, "TEXCOORD_4: only the first 4 sets"));
+  EXPECT_TRUE(has_warning(scene, "TEXCOORD_8: only the first 8 sets"));
+}
+
+// Shares of 1 whose accessor does not say so.
+TEST(GltfMesh, IntegersAreNormalisedWhereOnlyTheMarkIsMissing) {
+  Model model = triangle();
+  model.primitive()["attributes"]["COLOR_0"] =
+      model.add<std::uint8_t>("VEC4", kUnsignedByte, 3, {51, 255, 0, 51, 0, 0, 0, 0, 0, 0, 0, 0});
+  model.primitive()["attributes"]["TEXCOORD_0"] =
+      model.add<std::uint16_t>("VEC2", kUnsignedShort, 3, {65535, 0, 0, 0, 0, 0});
+  const Scene scene = expect_repaired(model, "/TEXCOORD_0: is an accessor of VEC2 UNSIGNED_SHORT; it was read as norm");
+  EXPECT_TRUE(has_warning(scene, "/COLOR_0: is an accessor of VEC4 UNSIGNED_BYTE; it was read as normalized"));
+  const Primitive& primitive = scene.primitives.at(0);
+  EXPECT_EQ(primitive.colors.at(0), glm::vec4(0.2f, 1, 0, 0.2f));
+  EXPECT_EQ(primitive.uv[0].at(0), glm::vec2(1, 0));
+  // Where integers are allowed as they are, they are meant.
+  model.root["extensionsUsed"] = {"KHR_mesh_quantization"};
+  EXPECT_EQ(read(model).primitives.at(0).uv[0].at(0), glm::vec2(65535, 0));
+}
+
+TEST(GltfMesh, NormalsOfNoLengthAreThoseOfTheTriangles) {
+  Model model = triangle();
+  model.primitive()["attributes"]["NORMAL"] = model.add<float>("VEC3", kFloat, 3, {0, 0, 0, 0, 1, 0, 0, 0, 0});
+  const Scene scene = expect_repaired(model, "/NORMAL: has directions of no length");
+  const std::vector<glm::vec3> wanted{{0, 0, 1}, {0, 1, 0}, {0, 0, 1}};
+  EXPECT_EQ(scene.primitives.at(0).vertices.normals, wanted);
+}
+
+TEST(GltfMesh, BoundsFollowIndices) {
+  Model model = triangle();
+  model.primitive()["attributes"]["POSITION"] = model.add<float>("VEC3", kFloat, 3, {0, 0, 0, 1, 0, 0, 900, 900, 900});
+  model.primitive()["indices"] = model.add<std::uint8_t>("SCALAR", kUnsignedByte, 3, {0, 1, 1});
+  const Scene scene = read(model);
+  EXPECT_EQ(scene.primitives.at(0).bounds.max, glm::vec3(1, 0, 0));
 }
 
 TEST(GltfMesh, WithoutPositionsItIsLeftOut) {

@@ -139,4 +139,14 @@ inline bool has_warning(const Scene& scene, std::string_view part) {
   return false;
 }
 
+// A breach of the specification that is read with a warning, and refused by a strict reader.
+inline Scene expect_repaired(const Model& model, const std::string& part) {
+  GltfOptions strict;
+  strict.strict = true;
+  expect_error(ErrorCode::input_invalid, part, [&] { static_cast<void>(read(model, strict)); });
+  Scene scene = read(model);
+  EXPECT_TRUE(has_warning(scene, part)) << part;
+  return scene;
+}
+
 }  // namespace velarium::scene::test

@@ -18,11 +18,11 @@ TEST(GltfNode, TransformsAreKept) {
     {"matrix": [1,0,0,0, 0,2,0,0, 0,0,3,0, 4,5,6,1]}, {}])"));
   const Node& moved = scene.nodes.at(0);
   EXPECT_EQ(moved.name, "moved");
-  EXPECT_EQ(moved.translation, glm::vec3(1, 2, 3));
+  EXPECT_EQ(moved.translation, glm::dvec3(1, 2, 3));
   EXPECT_EQ(moved.rotation, glm::quat(0, 0, 1, 0));  // glm's order is w, x, y, z
   EXPECT_EQ(moved.scale, glm::vec3(-1, 2, 0.5f));
   ASSERT_TRUE(scene.nodes.at(1).matrix.has_value());
-  EXPECT_EQ((*scene.nodes.at(1).matrix)[3], glm::vec4(4, 5, 6, 1));
+  EXPECT_EQ((*scene.nodes.at(1).matrix)[3], glm::dvec4(4, 5, 6, 1));
   EXPECT_FALSE(scene.nodes.at(2).matrix.has_value());
 }
 
@@ -195,15 +195,42 @@ TEST(GltfLight, WrongOnesAreRefused) {
       {R"({})", at + ": has no property 'type'"},
       {R"({"type": "sphere"})", at + "/type: is 'sphere'"},
       {R"({"type": "spot"})", at + ": has no property 'spot'"},
-      {R"({"type": "point", "range": 0})", at + "/range: is 0"},
-      {R"({"type": "spot", "spot": {"innerConeAngle": 0.3, "outerConeAngle": 0.2}})", at + "/spot/outerConeAngle: "},
-      {R"({"type": "spot", "spot": {"innerConeAngle": 0.9}})", at + "/spot/innerConeAngle: "},
-      {R"({"type": "spot", "spot": {"innerConeAngle": -1}})", at + "/spot/innerConeAngle: "},
-      {R"({"type": "spot", "spot": {"outerConeAngle": 2}})", at + "/spot/outerConeAngle: "}};
+      {R"({"type": "spot", "spot": {"outerConeAngle": 0}})", at + "/spot/outerConeAngle: is 0"},
+      {R"({"type": "spot", "spot": {"outerConeAngle": 2}})", at + "/spot/outerConeAngle: must be at most pi/2"}};
   for (const auto& [light, part] : cases) expect_refused(with_light(light), part);
   Model model = with_light(R"({"type": "point"})");
   model.root["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 1;
   expect_refused(model, "/nodes/0/extensions/KHR_lights_punctual/light: is 1, but there are 1 lights");
+}
+
+TEST(GltfLight, OddOnesAreRepaired) {
+  const std::string at = "/extensions/KHR_lights_punctual/lights/0";
+  const auto repaired = [&](const char* light, const std::string& part) {
+    return expect_repaired(with_light(light), at + part).lights.at(0);
+  };
+  EXPECT_EQ(repaired(R"({"type": "point", "range": 0})", "/range: is 0").range, 0.0f);
+  const auto expect_cones = [](const Light& light, float inner, float outer) {
+    EXPECT_EQ(light.inner_cone, inner);
+    EXPECT_EQ(light.outer_cone, outer);
+  };
+  expect_cones(
+      repaired(R"({"type": "spot", "spot": {"innerConeAngle": 0.3, "outerConeAngle": 0.2}})", "/spot/outerConeAngle"),
+      0.2f, 0.2f);
+  expect_cones(
+      repaired(R"({"type": "spot", "spot": {"innerConeAngle": 0.5, "outerConeAngle": 0.5}})", "/spot/outerConeAngle"),
+      0.5f, 0.5f);
+  expect_cones(repaired(R"({"type": "spot", "spot": {"innerConeAngle": 0.9}})", "/spot/innerConeAngle"), 0.7853982f,
+               0.7853982f);
+  expect_cones(repaired(R"({"type": "spot", "spot": {"innerConeAngle": -1}})", "/spot/innerConeAngle"), 0.0f,
+               0.7853982f);
+}
+
+// JSON numbers are doubles: these angles differ there, and are one float.
+TEST(GltfLight, ConesMayDifferByLessThanFloatsDo) {
+  const Scene scene = read(with_light(R"({"type": "spot", "spot": {"innerConeAngle": 0.08968102931976317,
+                                                                   "outerConeAngle": 0.08968102931976318}})"));
+  EXPECT_TRUE(scene.warnings.empty());
+  EXPECT_EQ(scene.lights.at(0).inner_cone, scene.lights.at(0).outer_cone);
 }
 
 }  // namespace

@@ -46,6 +46,13 @@ const VertexFrames& deformed(const SceneSnapshot& snapshot) {
   return snapshot.deformed.at(static_cast<std::size_t>(snapshot.instances.at(0).deformed));
 }
 
+// Of a skinned instance, in world space.
+VertexFrames in_world(const SceneSnapshot& snapshot) {
+  VertexFrames frames = deformed(snapshot);
+  for (glm::vec3& p : frames.positions) p += glm::vec3(snapshot.instances.at(0).world_from_object[3]);
+  return frames;
+}
+
 TEST(MovingNodes, AreThoseThatAnimationsMoveAndWhatHangsOnThem) {
   Scene scene = family();
   scene.nodes.resize(3);  // the third stands apart
@@ -58,11 +65,11 @@ TEST(MovingNodes, AreThoseThatAnimationsMoveAndWhatHangsOnThem) {
 
 TEST(Aabb, TransformedBoundsTheTransformedCorners) {
   const Aabb box{{-1, 0, 2}, {1, 3, 5}};
-  const glm::mat4 turn = glm::rotate(glm::mat4(1), glm::radians(90.0f), glm::vec3(0, 0, 1));
-  const Aabb out = box.transformed(glm::translate(glm::mat4(1), glm::vec3(10, 0, 0)) * turn);
+  const glm::dmat4 turn = glm::rotate(glm::dmat4(1), glm::radians(90.0), glm::dvec3(0, 0, 1));
+  const WorldAabb out = transformed(box, glm::translate(glm::dmat4(1), glm::dvec3(10, 0, 0)) * turn);
   expect_near(out.min, {7, -1, 2});  // x' = 10 - y, y' = x
   expect_near(out.max, {10, 1, 5});
-  EXPECT_TRUE(Aabb{}.transformed(turn).empty());
+  EXPECT_TRUE(transformed(Aabb{}, turn).empty());
 }
 
 TEST(Aabb, GrowsByPointsAndBoxesAndIgnoresEmptyOnes) {
@@ -86,7 +93,7 @@ TEST(SceneSnapshot, MultipliesParentsAndScalesBeforeTurningBeforeMoving) {
   ASSERT_EQ(snapshot.instances.size(), 1u);
   const Instance& instance = snapshot.instances[0];
   // (1,1,1) -> scaled (2,3,4) -> moved (2,8,4) -> turned (-8,2,4) -> moved (2,2,4)
-  expect_near(glm::vec3(instance.world_from_object * glm::vec4(1, 1, 1, 1)), {2, 2, 4});
+  expect_near(glm::vec3(instance.world_from_object * glm::dvec4(1, 1, 1, 1)), {2, 2, 4});
   EXPECT_EQ(instance.deformed, kNone);
   EXPECT_EQ(instance.node, 1u);
   EXPECT_FALSE(instance.mirrored);
@@ -97,7 +104,7 @@ TEST(SceneSnapshot, MultipliesParentsAndScalesBeforeTurningBeforeMoving) {
 
 TEST(SceneSnapshot, UsesAMatrixAsItIs) {
   Scene scene = family();
-  scene.nodes[1].matrix = glm::translate(glm::mat4(1), glm::vec3(1, 2, 3));
+  scene.nodes[1].matrix = glm::translate(glm::dmat4(1), glm::dvec3(1, 2, 3));
   scene.nodes[1].translation = {100, 0, 0};
   expect_near(glm::vec3(snapshot_at(scene, 0, "").instances[0].world_from_object[3]), {1, 2, 3});
 }
@@ -145,7 +152,7 @@ TEST(SceneSnapshot, MorphsBeforeTheNodeTransform) {
   targets[1].normals.assign(3, {0, 0.5f, 0});
   targets[2].positions.assign(3, {1e9f, 0, 0});
   const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
-  const VertexFrames& v = deformed(snapshot);
+  const VertexFrames v = deformed(snapshot);
   expect_near(v.positions[1], {1, 0, 2});
   expect_near(v.normals[1], glm::normalize(glm::vec3(0, 1, 1)));
   expect_near(glm::vec3(v.tangents[1]), {1, 0, 0});
@@ -183,8 +190,9 @@ TEST(SceneSnapshot, SkinsBringVerticesToWorldSpace) {
   scene.nodes[2].translation = {0, 0, 2};
   scene.nodes[3].translation = {0, 0, 6};
   const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
-  EXPECT_EQ(snapshot.instances[0].world_from_object, glm::mat4(1));
-  const VertexFrames& v = deformed(snapshot);
+  // Whatever the node says, the instance stands at its skin's first joint and is turned as the world is.
+  EXPECT_EQ(snapshot.instances[0].world_from_object, glm::translate(glm::dmat4(1), glm::dvec3(0, 0, 2)));
+  const VertexFrames v = in_world(snapshot);
   expect_near(v.positions[0], {0, 0, 2});
   expect_near(v.positions[1], {1, 0, 6});
   expect_near(v.positions[2], {0, 1, 4});
@@ -192,19 +200,60 @@ TEST(SceneSnapshot, SkinsBringVerticesToWorldSpace) {
   expect_near(snapshot.bounds.max, {1, 1, 6});
 }
 
+// On a planet's surface: a float holds half a metre there.
+constexpr double kEarthRadius = 6378137.0;
+
+TEST(SceneSnapshot, FarFromTheOriginNothingIsRounded) {
+  for (const bool with_skin : {false, true}) {
+    Scene near = with_skin ? skinned() : family(), far = near;
+    const std::uint32_t moved = with_skin ? 2 : 0;
+    far.nodes[moved].translation = {kEarthRadius, -kEarthRadius, 0.7};
+    if (with_skin) far.nodes[3].translation = far.nodes[2].translation;
+    const SceneSnapshot a = snapshot_at(near, 0, ""), b = snapshot_at(far, 0, "");
+    EXPECT_LE(glm::length(b.bounds.min - a.bounds.min - far.nodes[moved].translation), 1e-8);
+    EXPECT_LE(glm::length(b.bounds.max - a.bounds.max - far.nodes[moved].translation), 1e-8);
+    if (with_skin) { EXPECT_EQ(deformed(a).positions, deformed(b).positions); }
+  }
+}
+
+TEST(SceneSnapshot, BoundsAreThoseOfVerticesAndNotOfBoxes) {
+  Scene scene = family();
+  const SceneSnapshot straight = snapshot_at(scene, 0, "");
+  const glm::quat turn = glm::angleAxis(glm::radians(45.0f), glm::vec3(0, 1, 0));
+  scene.nodes[1].rotation = turn;
+  for (glm::vec3& p : scene.primitives[0].vertices.positions) p = glm::inverse(turn) * p;
+  Aabb& box = scene.primitives[0].bounds;
+  box = {};
+  for (const glm::vec3& p : scene.primitives[0].vertices.positions) box.add(p);
+  const SceneSnapshot turned = snapshot_at(scene, 0, "");
+  EXPECT_LE(glm::length(turned.bounds.min - straight.bounds.min), 1e-6);
+  EXPECT_LE(glm::length(turned.bounds.max - straight.bounds.max), 1e-6);
+}
+
+TEST(SceneSnapshot, WhatIsScaledToNothingHasNoExtent) {
+  Scene scene = family();
+  scene.nodes[0].translation = {500, 0, 0};
+  scene.nodes[0].scale = {0, 0, 0};
+  EXPECT_TRUE(snapshot_at(scene, 0, "").bounds.empty());
+  scene.nodes[0].scale = {0, 0, 1};  // a triangle becomes a line
+  EXPECT_TRUE(snapshot_at(scene, 0, "").bounds.empty());
+  scene.nodes[0].scale = {1, 1, 0};
+  EXPECT_FALSE(snapshot_at(scene, 0, "").bounds.empty());
+}
+
 TEST(SceneSnapshot, SkinsAtTheBindPoseChangeNothing) {
   Scene scene = skinned();
   for (const std::uint32_t joint : {2u, 3u}) {
     scene.nodes[joint].translation = {1, 2, static_cast<float>(joint)};
     scene.nodes[joint].rotation = glm::angleAxis(0.3f * static_cast<float>(joint), glm::vec3(0, 1, 0));
-    const glm::mat4 world =
-        glm::translate(glm::mat4(1), scene.nodes[joint].translation) * glm::mat4_cast(scene.nodes[joint].rotation);
+    const glm::mat4 world = glm::translate(glm::mat4(1), glm::vec3(scene.nodes[joint].translation)) *
+                            glm::mat4_cast(scene.nodes[joint].rotation);
     scene.skins[0].joint_from_object[joint - 2] = glm::inverse(world);
   }
   const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
   for (std::size_t i = 0; i < 3; ++i) {
-    expect_near(deformed(snapshot).positions[i], scene.primitives[0].vertices.positions[i]);
-    expect_near(deformed(snapshot).normals[i], {0, 0, 1});
+    expect_near(in_world(snapshot).positions[i], scene.primitives[0].vertices.positions[i]);
+    expect_near(in_world(snapshot).normals[i], {0, 0, 1});
   }
 }
 
@@ -217,9 +266,9 @@ TEST(SceneSnapshot, SkinsReadAllSetsOfJoints) {
   p.weights.insert(p.weights.end(), 3, {0, 0, 0, 0.75f});
   scene.nodes[3].translation = {0, 0, 4};
   const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
-  expect_near(deformed(snapshot).positions[0], {0, 0, 3});
-  expect_near(deformed(snapshot).positions[1], {1, 0, 4});
-  expect_near(deformed(snapshot).positions[2], {0, 1, 3.5f});
+  expect_near(in_world(snapshot).positions[0], {0, 0, 3});
+  expect_near(in_world(snapshot).positions[1], {1, 0, 4});
+  expect_near(in_world(snapshot).positions[2], {0, 1, 3.5f});
 }
 
 // A surface tilted by 45 degrees, stretched along x by 2: its normal follows the inverse transpose.
@@ -230,8 +279,8 @@ TEST(SceneSnapshot, SkinnedNormalsStayPerpendicularUnderNonUniformScale) {
   for (const std::uint32_t joint : {2u, 3u}) scene.nodes[joint].scale = {2, 1, 1};
   const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
   for (std::size_t i = 0; i < 3; ++i) {
-    expect_near(deformed(snapshot).normals[i], glm::normalize(glm::vec3(1, 0, 2)));
-    expect_near(glm::vec3(deformed(snapshot).tangents[i]), glm::normalize(glm::vec3(2, 0, -1)));
+    expect_near(in_world(snapshot).normals[i], glm::normalize(glm::vec3(1, 0, 2)));
+    expect_near(glm::vec3(in_world(snapshot).tangents[i]), glm::normalize(glm::vec3(2, 0, -1)));
   }
 }
 
@@ -241,8 +290,8 @@ TEST(SceneSnapshot, MirroringJointsKeepNormalsOutAndTurnTheFrame) {
   for (const std::uint32_t joint : {2u, 3u}) scene.nodes[joint].scale = {-1, 1, 1};
   const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
   EXPECT_TRUE(snapshot.instances[0].mirrored);
-  const glm::vec3 n = deformed(snapshot).normals[0];
-  const glm::vec4 t = deformed(snapshot).tangents[0];
+  const glm::vec3 n = in_world(snapshot).normals[0];
+  const glm::vec4 t = in_world(snapshot).tangents[0];
   expect_near(n, {0, 0, 1});
   expect_near(glm::vec3(t), {-1, 0, 0});
   expect_near(t.w * glm::cross(n, glm::vec3(t)), {0, 1, 0});
@@ -259,11 +308,11 @@ TEST(SceneSnapshot, DeformsMeshesOfManyRangesWhole) {
   p.morph_targets[0].positions.assign(kCount, {0, 1, 0});
   scene.nodes[1].weights = {1};
   const SceneSnapshot snapshot = snapshot_at(scene, 0, "");
-  ASSERT_EQ(deformed(snapshot).positions.size(), kCount);
-  EXPECT_TRUE(deformed(snapshot).normals.empty());
+  ASSERT_EQ(in_world(snapshot).positions.size(), kCount);
+  EXPECT_TRUE(in_world(snapshot).normals.empty());
   for (std::size_t i = 0; i < kCount; ++i) {
     const float x = static_cast<float>(i);
-    ASSERT_EQ(deformed(snapshot).positions[i], glm::vec3(x, x + 1, x));
+    ASSERT_EQ(in_world(snapshot).positions[i], glm::vec3(x, x + 1, x));
   }
 }
 

@@ -56,6 +56,9 @@ TEST(Attenuation, SpotCones) {
   const vec2 hard = spot_scale_offset(0.5f, 0.5f);
   EXPECT_EQ(spot_attenuation(std::cos(0.51f), hard), 0.0f);
   EXPECT_EQ(spot_attenuation(std::cos(0.4f), hard), 1.0f);
+  // However narrow, the axis has all of the light.
+  for (const float outer : {0.04f, 0.01f, 0.002f})
+    EXPECT_EQ(spot_attenuation(1.0f, spot_scale_offset(0.0f, outer)), 1.0f) << outer;
 }
 
 GpuLight light(float kind, float range) {
