@@ -81,7 +81,7 @@ void Reference::run() {
   flags_->apply();
   finish_view(view_);
   if (output_.empty()) output_ = picture_name(scene_);
-  Picture::check_destination(output_);
+  Picture::check_destination(output_, view_.request.width, view_.request.height);
   if (!timings_.empty() && timings_ != "-") check_writable(timings_);
 
   const Scene scene = Scene::load(scene_, view_.load);

@@ -124,8 +124,9 @@ void Render::run() {
 }
 
 void Render::check_outputs() const {
-  Picture::check_destination(output_);
-  for (const Dump& dump : dumps_) Picture::check_destination(dump.file);
+  const auto [width, height] = std::pair(view_.request.width, view_.request.height);
+  Picture::check_destination(output_, width, height);
+  for (const Dump& dump : dumps_) Picture::check_destination(dump.file, width, height);
   if (!timings_.empty() && timings_ != "-") check_writable(timings_);
 }
 

@@ -36,8 +36,9 @@ struct Picture {
   // The file appears whole or not at all. Throws Error(output_not_written), or Error(usage) for an unknown ending.
   void save(const std::filesystem::path& file, const Settings& settings = {}) const;
 
-  // Throws what save() would throw for a reason that can be seen beforehand, so that nobody renders for nothing.
-  static void check_destination(const std::filesystem::path& file);
+  // Throws what save() would throw for a reason that can be seen beforehand, so that nobody renders for nothing. Where
+  // the size of the picture is known, that the format cannot hold it is such a reason.
+  static void check_destination(const std::filesystem::path& file, std::uint32_t width = 0, std::uint32_t height = 0);
 
   // Whether save() needs `linear` for this ending, or else `display`. Throws Error(usage) for an unknown ending.
   [[nodiscard]] static bool stores_linear(const std::filesystem::path& file);

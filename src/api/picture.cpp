@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -55,11 +56,19 @@ struct Ending {
   std::string_view text;
   bool linear;  // which half of the picture it stores
   void (*save)(const fs::path&, const Picture&, const Settings&);
+  std::uint32_t largest_side = std::numeric_limits<std::uint32_t>::max();  // that the format has room for
 };
 
+// A WebP file counts sides in 14 bits. JPEG counts in 16, of which libjpeg takes fewer (JPEG_MAX_DIMENSION).
+constexpr std::uint32_t kLargestWebp = 16383, kLargestJpeg = 65500;
+
 constexpr std::array kEndings{
-    Ending{".png", false, save_png},   Ending{".jpg", false, save_jpeg}, Ending{".jpeg", false, save_jpeg},
-    Ending{".webp", false, save_webp}, Ending{".exr", true, save_exr},   Ending{".hdr", true, save_hdr},
+    Ending{".png", false, save_png},
+    Ending{".jpg", false, save_jpeg, kLargestJpeg},
+    Ending{".jpeg", false, save_jpeg, kLargestJpeg},
+    Ending{".webp", false, save_webp, kLargestWebp},
+    Ending{".exr", true, save_exr},
+    Ending{".hdr", true, save_hdr},
 };
 
 const Ending& ending_of(const fs::path& file) {
@@ -89,9 +98,13 @@ void Picture::save(const fs::path& file, const Settings& settings) const {
   ending.save(file, *this, settings);
 }
 
-void Picture::check_destination(const fs::path& file) {
-  (void)ending_of(file);
+void Picture::check_destination(const fs::path& file, std::uint32_t width, std::uint32_t height) {
+  const Ending& ending = ending_of(file);
   check_writable(file);
+  if (std::max(width, height) > ending.largest_side)
+    throw Error(ErrorCode::output_not_written, file,
+                fmt::format("pictures of this format have at most {} pixels a side; {} x {} fits .png and .exr",
+                            ending.largest_side, width, height));
 }
 
 bool Picture::stores_linear(const fs::path& file) {

@@ -45,9 +45,12 @@ void check_size(Size size, const std::string& what, const Limits& limits);
 [[nodiscard]] ByteImage read_webp(Bytes data, const std::string& what, const Limits& limits);
 [[nodiscard]] std::vector<std::byte> write_webp(const ByteImage& image, int quality, const std::string& what);
 
+// Pixels as they are stored, or the light of a panorama that they mean: in BT.709's primaries, cubes unfolded.
+enum class ExrMeaning { pixels, panorama };
+
 // `layer` as load_picture() takes it.
 [[nodiscard]] FloatImage read_exr(Bytes data, const std::string& what, const Limits& limits,
-                                  const std::string& layer = {});
+                                  const std::string& layer = {}, ExrMeaning meaning = ExrMeaning::pixels);
 [[nodiscard]] std::vector<std::byte> write_exr(const FloatImage& image, bool half, const std::string& what);
 
 [[nodiscard]] FloatImage read_hdr(Bytes data, const std::string& what, const Limits& limits);

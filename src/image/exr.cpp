@@ -1,5 +1,6 @@
 #include "image/codecs.hpp"
 #include "image/exr_header.hpp"
+#include "image/exr_light.hpp"
 #include "image/exr_output.hpp"
 
 #include "core/assert.hpp"
@@ -9,10 +10,10 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
-#include <ImfInputFile.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfRgbaFile.h>
 
 #include <fmt/ranges.h>
 
@@ -20,9 +21,11 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace velarium::image {
 namespace {
@@ -91,9 +94,7 @@ ChannelNames find_channels(const Imf::ChannelList& channels, const std::string& 
                           prefix, channel_names(channels)));
 }
 
-// `File` is Imf::InputFile or Imf::InputPart, which have no common base.
-template <class File>
-FloatImage read_data_window(File& file, const std::string& prefix, const std::string& what) {
+FloatImage read_data_window(Imf::InputPart& file, const std::string& prefix, const std::string& what) {
   const Box2i window = file.header().dataWindow();
   const Size size = size_of(window);
   const ChannelNames names = find_channels(file.header().channels(), prefix, what);
@@ -130,8 +131,7 @@ FloatImage placed(const FloatImage& data, const Box2i& from, const Box2i& displa
   return image;
 }
 
-template <class File>
-FloatImage read_picture(File& file, const std::string& prefix, const std::string& what) {
+FloatImage read_picture(Imf::InputPart& file, const std::string& prefix, const std::string& what) {
   FloatImage image = read_data_window(file, prefix, what);
   const Box2i from = file.header().dataWindow(), display = file.header().displayWindow();
   return from == display ? image : placed(image, from, display);
@@ -151,6 +151,54 @@ std::set<std::string> layer_names(const Imf::MultiPartInputFile& file) {
   for (int part = 0; part < file.parts(); ++part)
     if (file.header(part).hasName()) names.insert(file.header(part).name());
   return names;
+}
+
+bool has_rgb(const Imf::ChannelList& channels, const std::string& prefix) {
+  return has_full(channels, (prefix + "R").c_str()) && has_full(channels, (prefix + "G").c_str()) &&
+         has_full(channels, (prefix + "B").c_str());
+}
+
+// The first part with R, G and B, which need not be the first: renderers put depth before it. Else the first layer of
+// channels that has them, the one called Combined (Blender's word for the picture) before others. Else the first part.
+Place main_picture(const Imf::MultiPartInputFile& file) {
+  for (int part = 0; part < file.parts(); ++part)
+    if (has_rgb(file.header(part).channels(), "")) return {part, ""};
+  std::optional<Place> found;
+  for (int part = 0; part < file.parts(); ++part) {
+    std::set<std::string> layers;
+    file.header(part).channels().layers(layers);
+    for (const std::string& layer : layers) {
+      if (!has_rgb(file.header(part).channels(), layer + ".")) continue;
+      if (layer.ends_with("Combined")) return {part, layer + "."};
+      if (!found) found = Place{part, layer + "."};
+    }
+  }
+  return found.value_or(Place{});
+}
+
+// Luminance at every pixel, and differences of colour at every fourth: OpenEXR knows how to put them together.
+bool has_subsampled_colour(const Imf::ChannelList& channels) {
+  const auto is_halved = [&](const char* name) {
+    const Imf::Channel* channel = channels.findChannel(name);
+    return channel != nullptr && channel->xSampling == 2 && channel->ySampling == 2;
+  };
+  return has_full(channels, "Y") && is_halved("RY") && is_halved("BY");
+}
+
+FloatImage read_subsampled_colour(Bytes data, const std::string& what) {
+  MemoryInput stream(data, what);
+  Imf::RgbaInputFile file(stream);
+  const Box2i window = file.dataWindow();
+  const Size size = size_of(window);
+  std::vector<Imf::Rgba> pixels(std::size_t{size.width} * size.height);
+  const std::ptrdiff_t first = window.min.x + static_cast<std::ptrdiff_t>(window.min.y) * size.width;
+  file.setFrameBuffer(pixels.data() - first, 1, size.width);
+  file.readPixels(window.min.y, window.max.y);
+  FloatImage image{size.width, size.height, {}};
+  image.rgba.reserve(channel_count(size));
+  for (const Imf::Rgba& pixel : pixels)
+    for (const half value : {pixel.r, pixel.g, pixel.b, pixel.a}) image.rgba.push_back(value);
+  return window == file.displayWindow() ? image : placed(image, window, file.displayWindow());
 }
 
 Place find_layer(const Imf::MultiPartInputFile& file, const std::string& layer, const std::string& what) {
@@ -210,18 +258,24 @@ std::vector<std::byte> write_channels(const FloatImage& image, const std::vector
 
 }  // namespace
 
-FloatImage read_exr(Bytes data, const std::string& what, const Limits& limits, const std::string& layer) {
+FloatImage read_exr(Bytes data, const std::string& what, const Limits& limits, const std::string& layer,
+                    ExrMeaning meaning) {
   check_exr_headers(data, what, limits);
   try {
     MemoryInput stream(data, what);
-    if (layer.empty()) {
-      Imf::InputFile file(stream);
-      return read_picture(file, "", what);
-    }
     Imf::MultiPartInputFile file(stream);
-    const Place place = find_layer(file, layer, what);
-    Imf::InputPart part(file, place.part);
-    return read_picture(part, place.prefix, what);
+    const Place place = layer.empty() ? main_picture(file) : find_layer(file, layer, what);
+    const Imf::Header& header = file.header(place.part);
+    const auto read = [&] {
+      if (place.part == 0 && place.prefix.empty() && has_subsampled_colour(header.channels()))
+        return read_subsampled_colour(data, what);
+      Imf::InputPart part(file, place.part);
+      return read_picture(part, place.prefix, what);
+    };
+    FloatImage image = read();
+    if (meaning == ExrMeaning::pixels) return image;
+    convert_to_bt709(header, image);
+    return panorama_of(header, std::move(image), what, limits);
   } catch (const Error&) { throw; } catch (const std::exception& error) {
     invalid(what, fmt::format("OpenEXR: {}", error.what()));
   }

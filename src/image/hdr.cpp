@@ -4,6 +4,10 @@
 
 #include "core/assert.hpp"
 
+#include <glm/common.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -19,9 +23,17 @@ using Rgbe = std::array<std::uint8_t, 4>;  // three mantissas of 8 bits, one exp
 // Lines of the newer run-length code are from 8 to 32767 pixels long; others are flat or in the older code.
 constexpr std::uint32_t kMinRunWidth = 8, kMaxRunWidth = 0x7fff;
 
+// Where pixels go as they are read: lines one after the other, along rows or columns, from either end.
+struct Order {
+  bool columns = false;  // lines are columns
+  bool from_right = false, from_bottom = false;
+};
+
 struct Header {
   Size size{};
-  float scale = 1.0f;  // from stored values to radiance
+  Order order;
+  glm::vec3 scale{1.0f};  // from stored values to radiance
+  bool xyz = false;       // CIE XYZ instead of red, green, blue
 };
 
 // --- reading ------------------------------------------------------------------------------------------------------
@@ -62,47 +74,65 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-void read_format(const Reader& reader, std::string_view value) {
-  if (value == "32-bit_rle_rgbe") return;
+void read_format(const Reader& reader, std::string_view value, Header& header) {
+  header.xyz = value == "32-bit_rle_xyze";
+  if (header.xyz || value == "32-bit_rle_rgbe") return;
   throw Error(ErrorCode::unsupported, reader.what(),
-              fmt::format("Radiance: the format '{}'; only 32-bit_rle_rgbe is supported", value));
+              fmt::format("Radiance: the format '{}'; 32-bit_rle_rgbe and 32-bit_rle_xyze are supported", value));
 }
 
-// EXPOSURE lines multiply, and say by how much the stored values were multiplied.
-void read_exposure(const Reader& reader, std::string_view value, Header& header) {
-  float exposure = 0.0f;
-  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), exposure);
-  if (error != std::errc{} || end != value.data() + value.size() || !(exposure > 0.0f) || !std::isfinite(exposure)) {
-    reader.fail(fmt::format("EXPOSURE is '{}', not a positive number", value));
+// One positive number, or as many as asked for, with blanks between.
+std::vector<float> read_factors(const Reader& reader, std::string_view name, std::string_view value,
+                                std::size_t count) {
+  std::vector<float> factors;
+  std::string_view rest = value;
+  while (!rest.empty()) {
+    float factor = 0.0f;
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), factor);
+    if (error != std::errc{} || !(factor > 0.0f) || !std::isfinite(factor)) break;
+    factors.push_back(factor);
+    rest = trimmed(rest.substr(static_cast<std::size_t>(end - rest.data())));
   }
-  header.scale /= exposure;
+  if (!rest.empty() || factors.size() != count)
+    reader.fail(
+        fmt::format("{} is '{}', not {}", name, value, count == 1 ? "a positive number" : "three positive numbers"));
+  return factors;
 }
 
-// "-Y height +X width": rows from the top, pixels from the left, as nearly all files have it.
-Size read_resolution(const Reader& reader, std::string_view line) {
-  Size size{};
-  const auto number = [](std::string_view& text, std::uint32_t& value) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+// EXPOSURE and COLORCORR lines multiply, and say by how much the stored values were multiplied.
+void read_exposure(const Reader& reader, std::string_view value, Header& header) {
+  header.scale /= read_factors(reader, "EXPOSURE", value, 1)[0];
+}
+
+void read_color_correction(const Reader& reader, std::string_view value, Header& header) {
+  const std::vector<float> factors = read_factors(reader, "COLORCORR", value, 3);
+  header.scale /= glm::vec3(factors[0], factors[1], factors[2]);
+}
+
+// "-Y height +X width": rows from the top, pixels from the left, as nearly all files have it. The axis that comes first
+// is that of the lines; a plus before Y says that they start at the bottom, a minus before X that they start at the
+// right.
+void read_resolution(const Reader& reader, std::string_view line, Header& header) {
+  std::string_view rest = line;
+  const auto axis = [&](char& sign, char& name, std::uint32_t& value) {
+    if (rest.size() < 4 || (rest[0] != '+' && rest[0] != '-') || (rest[1] != 'X' && rest[1] != 'Y') || rest[2] != ' ')
+      return false;
+    sign = rest[0];
+    name = rest[1];
+    rest.remove_prefix(3);
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
     return error == std::errc{};
   };
-  std::string_view rest = line;
-  if (rest.size() > 2 && (rest[1] == 'X' || rest[1] == 'Y') && !rest.starts_with("-Y ")) {
-    throw Error(ErrorCode::unsupported, reader.what(),
-                fmt::format("Radiance: the orientation '{}'; only -Y +X is supported", line));
-  }
-  if (!rest.starts_with("-Y ")) reader.fail(fmt::format("'{}' is not a resolution", line.substr(0, 40)));
-  rest.remove_prefix(3);
-  bool good = number(rest, size.height);
-  if (good && rest.starts_with(" -X ")) {
-    throw Error(ErrorCode::unsupported, reader.what(),
-                fmt::format("Radiance: the orientation '{}'; only -Y +X is supported", line));
-  }
-  good = good && rest.starts_with(" +X ");
-  if (good) rest.remove_prefix(4);
-  if (!good || !number(rest, size.width) || !rest.empty())
+  char signs[2]{}, names[2]{};
+  std::uint32_t values[2]{};
+  bool good = axis(signs[0], names[0], values[0]) && rest.starts_with(' ');
+  if (good) rest.remove_prefix(1);
+  if (!good || !axis(signs[1], names[1], values[1]) || !rest.empty() || names[0] == names[1])
     reader.fail(fmt::format("'{}' is not a resolution", line.substr(0, 40)));
-  return size;
+  const std::size_t y = names[0] == 'Y' ? 0 : 1, x = 1 - y;
+  header.size = {values[x], values[y]};
+  header.order = {.columns = y == 1, .from_right = signs[x] == '-', .from_bottom = signs[y] == '+'};
 }
 
 Header read_header(Reader& reader) {
@@ -111,10 +141,11 @@ Header read_header(Reader& reader) {
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos || line.starts_with('#')) continue;
     const std::string_view name = trimmed(line.substr(0, equals)), value = trimmed(line.substr(equals + 1));
-    if (name == "FORMAT") read_format(reader, value);
+    if (name == "FORMAT") read_format(reader, value, header);
     if (name == "EXPOSURE") read_exposure(reader, value, header);
+    if (name == "COLORCORR") read_color_correction(reader, value, header);
   }
-  header.size = read_resolution(reader, reader.line());
+  read_resolution(reader, reader.line(), header);
   return header;
 }
 
@@ -164,10 +195,26 @@ void read_row(Reader& reader, std::span<Rgbe> row) {
 
 // 2^(exponent - 128 - 8). Mantissas are read without Ward's half step, as nearly all programs of today do, so that
 // values which the format holds exactly, such as 1, come back as themselves.
-std::array<float, 256> mantissa_scales(float scale) {
+std::array<float, 256> mantissa_scales() {
   std::array<float, 256> scales{};  // exponent 0 is black
-  for (int e = 1; e < 256; ++e) scales[static_cast<std::size_t>(e)] = std::ldexp(scale, e - 136);
+  for (int e = 1; e < 256; ++e) scales[static_cast<std::size_t>(e)] = std::ldexp(1.0f, e - 136);
   return scales;
+}
+
+// To BT.709's primaries and white, D65 (IEC 61966-2-1, annex F).
+glm::vec3 rgb_of_xyz(const glm::vec3& xyz) {
+  constexpr glm::mat3 kMatrix{
+      {3.2406f, -0.9689f, 0.0557f}, {-1.5372f, 1.8758f, -0.2040f}, {-0.4986f, 0.0415f, 1.0570f}};
+  return glm::max(kMatrix * xyz, glm::vec3(0.0f));
+}
+
+// Where the pixel of this number on this line goes, in pixels from the top left.
+std::size_t place_of(const Header& header, std::uint32_t line, std::uint32_t number) {
+  const auto [width, height] = header.size;
+  const std::uint32_t column = header.order.columns ? line : number, row = header.order.columns ? number : line;
+  const std::uint32_t x = header.order.from_right ? width - 1 - column : column;
+  const std::uint32_t y = header.order.from_bottom ? height - 1 - row : row;
+  return std::size_t{y} * width + x;
 }
 
 // --- writing ------------------------------------------------------------------------------------------------------
@@ -238,14 +285,18 @@ FloatImage read_hdr(Bytes data, const std::string& what, const Limits& limits) {
   const Header header = read_header(reader);
   check_size(header.size, what, limits);
   FloatImage image{header.size.width, header.size.height, std::vector<float>(channel_count(header.size), 1.0f)};
-  const std::array<float, 256> scales = mantissa_scales(header.scale);
-  std::vector<Rgbe> row(image.width);
-  float* to = image.rgba.data();
-  for (std::uint32_t y = 0; y < image.height; ++y) {
-    read_row(reader, row);
-    for (const Rgbe& pixel : row) {
-      for (std::size_t c = 0; c < 3; ++c) to[c] = static_cast<float>(pixel[c]) * scales[pixel[3]];
-      to += 4;
+  const std::array<float, 256> scales = mantissa_scales();
+  std::vector<Rgbe> pixels(header.order.columns ? image.height : image.width);
+  const std::uint32_t lines = header.order.columns ? image.width : image.height;
+  for (std::uint32_t line = 0; line < lines; ++line) {
+    read_row(reader, pixels);
+    for (std::uint32_t i = 0; i < pixels.size(); ++i) {
+      const Rgbe& pixel = pixels[i];
+      const glm::vec3 stored(pixel[0], pixel[1], pixel[2]);
+      const glm::vec3 value = stored * scales[pixel[3]] * header.scale;
+      const glm::vec3 rgb = header.xyz ? rgb_of_xyz(value) : value;
+      float* to = image.rgba.data() + 4 * place_of(header, line, i);
+      for (int c = 0; c < 3; ++c) to[c] = rgb[c];
     }
   }
   return image;

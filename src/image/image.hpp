@@ -43,15 +43,17 @@ struct Size {
 };
 [[nodiscard]] Size peek_size(std::span<const std::byte> data, const std::string& what);
 
-// Radiance .hdr (flat, old and new run-length) or OpenEXR, by content. Non-finite values are an error that names the
-// pixel; negative ones, which resampling and lossy compression leave in real files, become 0 with a warning. Throws
+// A panorama of light: Radiance .hdr (flat, old and new run-length, in any orientation, RGB or XYZ) or OpenEXR (also a
+// cube, which becomes a panorama, in other primaries, or of luminance and chroma), by content; PNG, JPEG and WebP as
+// sRGB, with a warning. Values that are no radiance become one with a warning that names a pixel: infinity the largest
+// half, 65504, NaN and negative ones, which resampling and lossy compression leave in real files, 0. Throws
 // Error(input_missing), Error(input_invalid), Error(unsupported).
 [[nodiscard]] FloatImage load_radiance(const std::filesystem::path& file, const Limits& limits = {});
 
 // Any of the formats above as its file holds it: display values, 8 bits widened to 16 (n becomes 257 n), or linear
 // light. `layer` names a part of an OpenEXR file, or those channels of its first part whose names begin with it and a
-// dot; empty: the first part's R, G, B and A. Throws as decode() and load_radiance(), and Error(usage) where a layer is
-// named that the file has not. Values need not be finite.
+// dot; empty: the first R, G, B and A that there are. Throws as decode() and load_radiance(), and Error(usage) where a
+// layer is named that the file has not. Values need not be finite.
 using AnyImage = std::variant<WordImage, FloatImage>;
 [[nodiscard]] AnyImage load_picture(const std::filesystem::path& file, const std::string& layer = {},
                                     const Limits& limits = {});

@@ -1,11 +1,13 @@
 #include "image/codecs.hpp"
 
 #include "core/files.hpp"
+#include "core/foreign_files.hpp"
 #include "core/log.hpp"
 #include "image/srgb.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace velarium::image {
 namespace {
@@ -43,39 +45,65 @@ std::string pixel_text(const FloatImage& image, std::size_t value_index) {
                      image.rgba[value_index]);
 }
 
+// Makes radiance of values that are none, and tells of the first of each kind.
 void make_radiance(FloatImage& image, const std::string& what) {
-  std::size_t negative = 0;
-  std::string first;
+  constexpr float kLargestHalf = 65504.0f;
+  struct Findings {
+    std::size_t count = 0;
+    std::string first;
+  } not_finite, negative;
+  const auto found = [&](Findings& findings, std::size_t i) {
+    if (findings.count++ == 0) findings.first = pixel_text(image, i);
+  };
   for (std::size_t i = 0; i < image.rgba.size(); ++i) {
     float& value = image.rgba[i];
-    if (!std::isfinite(value)) invalid(what, pixel_text(image, i) + "; radiance is finite");
-    if (value >= 0.0f) continue;
-    if (negative++ == 0) first = pixel_text(image, i);
-    value = 0.0f;
+    if (value >= 0.0f && std::isfinite(value)) continue;
+    found(std::isfinite(value) ? negative : not_finite, i);
+    value = value > 0.0f ? kLargestHalf : 0.0f;
   }
-  if (negative > 0) log_warning("{}: {}; such negative values ({} in all) are read as 0", what, first, negative);
+  if (not_finite.count > 0)
+    log_warning("{}: {}; such values ({} in all) are read as {}, NaN as 0", what, not_finite.first, not_finite.count,
+                kLargestHalf);
+  if (negative.count > 0)
+    log_warning("{}: {}; such negative values ({} in all) are read as 0", what, negative.first, negative.count);
+}
+
+[[noreturn]] void not_a_picture(Bytes data, const std::string& what, std::string_view wanted) {
+  if (data.empty()) invalid(what, "is empty");
+  const std::string_view kind = foreign_kind(data);
+  invalid(what, kind.empty() ? fmt::format("is not {} picture", wanted) : std::string(kind));
+}
+
+FloatImage panorama(const std::vector<std::byte>& data, const std::filesystem::path& file, const Limits& limits) {
+  const std::string what = file.string();
+  switch (format_of(data)) {
+    case Format::exr:
+      return read_exr(data, what, limits, {}, ExrMeaning::panorama);
+    case Format::hdr:
+      return read_hdr(data, what, limits);
+    case Format::unknown:
+      not_a_picture(data, what, "an OpenEXR or Radiance (.hdr)");
+    default:
+      break;
+  }
+  log_warning("{}: display values are taken as sRGB; nothing in it is brighter than 1 nit", what);
+  return load_linear(file, limits);
 }
 
 }  // namespace
 
 FloatImage load_radiance(const std::filesystem::path& file, const Limits& limits) {
   const std::vector<std::byte> data = read_file(file, largest_file(limits));
-  const Format format = format_of(data);
-  if (format != Format::exr && format != Format::hdr) {
-    invalid(file.string(), data.empty() ? "is empty" : "is not an OpenEXR or Radiance (.hdr) picture");
-  }
-  FloatImage image =
-      format == Format::exr ? read_exr(data, file.string(), limits) : read_hdr(data, file.string(), limits);
-  make_radiance(image, file.string());
+  const std::string what = file.string();
+  FloatImage image = panorama(data, file, limits);
+  make_radiance(image, what);
   return image;
 }
 
 AnyImage load_picture(const std::filesystem::path& file, const std::string& layer, const Limits& limits) {
   const std::vector<std::byte> data = read_file(file, largest_file(limits));
   const Format format = format_of(data);
-  if (format == Format::unknown) {
-    invalid(file.string(), data.empty() ? "is empty" : "is not a PNG, JPEG, WebP, OpenEXR or Radiance (.hdr) picture");
-  }
+  if (format == Format::unknown) not_a_picture(data, file.string(), "a PNG, JPEG, WebP, OpenEXR or Radiance (.hdr)");
   if (format == Format::exr) return read_exr(data, file.string(), limits, layer);
   if (!layer.empty())
     throw Error(ErrorCode::usage, file, fmt::format("has no layer '{}'; only OpenEXR files have layers", layer));

@@ -1,6 +1,7 @@
 #include "scene/gltf_container.hpp"
 
 #include "core/files.hpp"
+#include "core/foreign_files.hpp"
 
 #include <velarium/error.hpp>
 
@@ -78,10 +79,11 @@ void check_is_json(const std::filesystem::path& file, std::span<const std::byte>
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   const std::size_t start = text.find_first_not_of(" \t\r\n", text.starts_with(kByteOrderMark) ? 3 : 0);
-  if (start == std::string_view::npos || text[start] != '{') {
-    throw Error(ErrorCode::input_invalid, file,
-                "byte 0: neither glTF, which begins with '{', nor GLB, which begins with \"glTF\"");
-  }
+  if (start != std::string_view::npos && text[start] == '{') return;
+  const std::string_view kind = foreign_kind(bytes);
+  throw Error(ErrorCode::input_invalid, file,
+              fmt::format("byte 0: neither glTF, which begins with '{{', nor GLB, which begins with \"glTF\"{}{}",
+                          kind.empty() ? "" : "; the file ", kind));
 }
 
 }  // namespace

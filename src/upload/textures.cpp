@@ -1,10 +1,10 @@
 #include "upload/textures.hpp"
 
+#include "core/jobs.hpp"
+#include "core/log.hpp"
 #include "upload/transfer.hpp"
 
-#include <velarium/error.hpp>
-
-#include <fmt/core.h>
+#include <algorithm>
 
 namespace velarium::upload {
 namespace {
@@ -36,6 +36,28 @@ ImageSource image_source(const scene::Image& image, TexelKind kind) {
           kind == TexelKind::normals ? MipFilter::normals : MipFilter::mean};
 }
 
+// The means of equal blocks, of as few pixels as bring the sides to `limit`.
+scene::Image reduce(const scene::Image& image, std::uint32_t limit) {
+  const std::uint32_t block = (std::max(image.width, image.height) + limit - 1) / limit;
+  const auto blocks = [&](std::uint32_t size) { return (size + block - 1) / block; };
+  scene::Image small{.name = image.name, .width = blocks(image.width), .height = blocks(image.height)};
+  small.rgba.resize(std::size_t{4} * small.width * small.height);
+  parallel_for(small.height, [&](std::size_t row) {
+    const auto top = static_cast<std::uint32_t>(row) * block, bottom = std::min(top + block, image.height);
+    for (std::uint32_t column = 0; column < small.width; ++column) {
+      const std::uint32_t left = column * block, right = std::min(left + block, image.width);
+      std::array<std::uint64_t, 4> sum{};
+      for (std::uint32_t y = top; y < bottom; ++y)
+        for (std::uint32_t x = left; x < right; ++x)
+          for (std::size_t c = 0; c < 4; ++c) sum[c] += image.rgba[4 * (std::size_t{y} * image.width + x) + c];
+      const std::uint64_t count = std::uint64_t{bottom - top} * (right - left);
+      for (std::size_t c = 0; c < 4; ++c)
+        small.rgba[4 * (row * small.width + column) + c] = static_cast<std::uint8_t>((sum[c] + count / 2) / count);
+    }
+  });
+  return small;
+}
+
 }  // namespace
 
 std::array<const scene::TextureRef*, kSlotCount> slots_of(const scene::Material& m) {
@@ -63,17 +85,24 @@ gpu::SamplerDesc sampler_desc(const scene::Sampler& sampler, float anisotropy, f
 
 Textures::Textures(gpu::Device& device, const scene::Scene& scene) : scene_(scene) {
   std::vector<ImageSource> sources;
+  std::map<std::int32_t, scene::Image> reduced;  // of images too large for the device
+  const auto fitted = [&](std::int32_t number, std::uint32_t limit) -> const scene::Image& {
+    const auto& image = scene.images[static_cast<std::size_t>(number)];
+    if (std::max(image.width, image.height) <= limit) return image;
+    const auto [place, is_new] = reduced.try_emplace(number);
+    if (!is_new) return place->second;
+    place->second = reduce(image, limit);
+    log_warning("{}: image {} of {} x {} pixels was scaled to {} x {}: the device takes {} a side", scene.source,
+                number, image.width, image.height, place->second.width, place->second.height, limit);
+    return place->second;
+  };
   for (const auto& material : scene.materials) {
     const auto slots = slots_of(material);
     for (std::uint32_t slot = 0; slot < kSlotCount; ++slot) {
       if (!slots[slot]->present()) continue;
       const std::int32_t number = scene.textures[static_cast<std::size_t>(slots[slot]->texture)].image;
       if (number == scene::kNone) continue;
-      const auto& image = scene.images[static_cast<std::size_t>(number)];
-      if (std::max(image.width, image.height) > device.caps().max_image_size)
-        throw Error(ErrorCode::input_invalid, scene.source,
-                    fmt::format("/images/{}: {}x{} pixels, the device takes {} a side", number, image.width,
-                                image.height, device.caps().max_image_size));
+      const auto& image = fitted(number, device.caps().max_image_size);
       const TexelKind kind = texel_kind(slot);
       if (index_.emplace(std::pair{number, kind}, sources.size()).second) sources.push_back(image_source(image, kind));
     }

@@ -23,7 +23,7 @@ enum class TexelKind { color, data, normals };
 // Every image that a material uses, on the device with its mips: once for each kind that is needed.
 class Textures {
  public:
-  // Throws Error(input_invalid) for an image larger than the device allows.
+  // Images larger than the device takes are scaled down, with a warning in the log.
   Textures(gpu::Device& device, const scene::Scene& scene);
 
   // What a material's slot samples: a white texel where the slot has no texture.

@@ -155,6 +155,14 @@ class WrongFiles(CliTest):
             self.expect(OK, verb, "a.gltf", says="is 7, outside its range; 1 is used instead")
             self.expect(INVALID, verb, "--strict", "a.gltf", says="metallicFactor: is 7")
 
+    def test_sizes_are_checked_before_the_scene(self):
+        says = "at most 16383 pixels a side"
+        self.expect(NOT_WRITTEN, "render", "none.gltf", "-o", "a.webp", "--size", "16384x4", says=says)
+
+    def test_files_of_other_kinds_are_named(self):
+        self.write("a.gltf", "version https://git-lfs.github.com/spec/v1\n")
+        self.expect(INVALID, "info", "a.gltf", says="git lfs pull")
+
     def test_destinations_are_checked_before_the_scene(self):
         self.expect(NOT_WRITTEN, "render", "none.gltf", "-o", "nowhere/a.png", says="no folder")
         self.expect(NOT_WRITTEN, "render", "none.gltf", "--timings", "nowhere/t.json", says="no folder")

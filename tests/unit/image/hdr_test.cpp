@@ -52,13 +52,49 @@ TEST_F(Hdr, ExposuresMultiplyAndAreUndone) {
   EXPECT_EQ(colors(load_radiance(put("a.hdr", header + "-Y 1 +X 1\n" + kOne))), std::vector<float>(3, 0.125f));
 }
 
-TEST_F(Hdr, OtherOrientationsAndFormatsAreUnsupported) {
-  for (const char* resolution : {"+Y 1 +X 1\n", "-Y 1 -X 1\n", "+X 1 -Y 1\n", "-X 1 +Y 1\n"}) {
-    expect_refused(ErrorCode::unsupported, [&] { (void)load_radiance(put("a.hdr", kHeader + resolution + kOne)); });
+TEST_F(Hdr, ColourCorrectionsMultiplyAndAreUndone) {
+  const std::string header = "#?RADIANCE\nCOLORCORR=2 4 1\nCOLORCORR= 1 1 0.5\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n";
+  EXPECT_EQ(colors(load_radiance(put("a.hdr", header + kOne))), (std::vector<float>{0.5f, 0.25f, 2.0f}));
+  for (const char* wrong : {"2", "2 2", "2 2 2 2", "0 1 1", "a b c"})
+    expect_refused(ErrorCode::input_invalid, [&] {
+      (void)load_radiance(put(
+          "a.hdr", std::string("#?RADIANCE\nCOLORCORR=") + wrong + "\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n" + kOne));
+    });
+}
+
+// Six pixels of red 1 to 6 (times 2^-8), as lines and pixels of each orientation bring them; rows from the top.
+TEST_F(Hdr, AllEightOrientations) {
+  std::string pixels;
+  for (char value = 1; value <= 6; ++value) pixels += {value, 0, 0, static_cast<char>(128)};
+  const std::pair<const char*, std::vector<float>> cases[] = {
+      {"-Y 2 +X 3", {1, 2, 3, 4, 5, 6}}, {"-Y 2 -X 3", {3, 2, 1, 6, 5, 4}}, {"+Y 2 +X 3", {4, 5, 6, 1, 2, 3}},
+      {"+Y 2 -X 3", {6, 5, 4, 3, 2, 1}}, {"+X 3 -Y 2", {1, 3, 5, 2, 4, 6}}, {"+X 3 +Y 2", {2, 4, 6, 1, 3, 5}},
+      {"-X 3 -Y 2", {5, 3, 1, 6, 4, 2}}, {"-X 3 +Y 2", {6, 4, 2, 5, 3, 1}}};
+  for (const auto& [resolution, wanted] : cases) {
+    const FloatImage image = load_radiance(put("a.hdr", kHeader + resolution + "\n" + pixels));
+    ASSERT_EQ(image.width, 3u);
+    ASSERT_EQ(image.height, 2u);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(256.0f * image.rgba[4 * i], wanted[i]) << resolution << ' ' << i;
   }
-  expect_refused(ErrorCode::unsupported, [&] {
-    (void)load_radiance(put("a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n" + kOne));
-  });
+}
+
+// White of D65 and luminance 1, and the luminance of each primary (ITU-R BT.709).
+TEST_F(Hdr, XyzBecomesRgb) {
+  const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n";
+  const auto byte = [](float value) { return static_cast<char>(std::lround(128.0f * value)); };
+  const FloatImage white = load_radiance(
+      put("a.hdr", header + std::string{byte(0.9505f), byte(1.0f), byte(1.0890f), static_cast<char>(129)}));
+  for (const float value : colors(white)) EXPECT_NEAR(value, 1.0f, 0.03f);  // 7 bits
+  const FloatImage red = load_radiance(
+      put("a.hdr", header + std::string{byte(0.4124f), byte(0.2126f), byte(0.0193f), static_cast<char>(129)}));
+  EXPECT_NEAR(red.rgba[0], 1.0f, 0.03f);
+  EXPECT_NEAR(red.rgba[1], 0.0f, 0.03f);
+  EXPECT_NEAR(red.rgba[2], 0.0f, 0.03f);
+}
+
+TEST_F(Hdr, OtherFormatsAreUnsupported) {
+  expect_refused(ErrorCode::unsupported,
+                 [&] { (void)load_radiance(put("a.hdr", "#?RADIANCE\nFORMAT=16-bit_planar\n\n-Y 1 +X 1\n" + kOne)); });
 }
 
 TEST_F(Hdr, BadHeadersAndRunsAreInvalid) {

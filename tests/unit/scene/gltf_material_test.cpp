@@ -304,7 +304,7 @@ TEST(GltfImage, SizesAreBoundedBeforeDecoding) {
   huge.replace(16, 8, std::string("\0\x01\x86\xa0\0\x01\x86\xa0", 8));  // 100000 x 100000
   const Model huge_model = textured(kShowsTexture, {{"uri", "data:;base64," + base64(huge)}});
   expect_refused(huge_model,
-                 "/images/0: is 100000 x 100000: a side of 100000 pixels, more than load.image_size=16384 allows; "
+                 "/images/0: is 100000 x 100000: a side of 100000 pixels, more than load.image_size=32768 allows; "
                  "load.image_size cannot be more than 32768");
   GltfOptions options;
   options.limits.image_size = 100'000;
