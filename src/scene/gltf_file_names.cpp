@@ -8,6 +8,7 @@
 #include <cctype>
 #include <optional>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace velarium::scene::gltf {
@@ -103,13 +104,13 @@ std::optional<std::string> another_spelling(const Value& uri, std::string_view t
 
 // The file's name as the folder has it; as the URI has it where there is no such file.
 std::string spelled_name(const Value& uri, std::string_view text, const GltfOptions& options) {
-  const std::string name = percent_decoded(uri, text);
+  std::string name = percent_decoded(uri, text);
   if (name.find('\0') != std::string::npos) uri.fail("holds a zero byte");
   if (is_there(uri, name, options)) return name;
-  const auto other = another_spelling(uri, text, options);
+  auto other = another_spelling(uri, text, options);
   if (!other) return name;
   uri.repair(fmt::format("'{}' does not exist; '{}' was read", name, *other));
-  return *other;
+  return *std::move(other);
 }
 
 }  // namespace
