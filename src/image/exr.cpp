@@ -21,7 +21,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -158,22 +157,23 @@ bool has_rgb(const Imf::ChannelList& channels, const std::string& prefix) {
          has_full(channels, (prefix + "B").c_str());
 }
 
-// The first part with R, G and B, which need not be the first: renderers put depth before it. Else the first layer of
-// channels that has them, the one called Combined (Blender's word for the picture) before others. Else the first part.
+// The first part with R, G and B, which need not be the first: renderers put depth before it. Else the layer of
+// channels that has them, where there is but one or one is called Combined (Blender's word for the picture). Else the
+// first part.
 Place main_picture(const Imf::MultiPartInputFile& file) {
   for (int part = 0; part < file.parts(); ++part)
     if (has_rgb(file.header(part).channels(), "")) return {part, ""};
-  std::optional<Place> found;
+  std::vector<Place> found;
   for (int part = 0; part < file.parts(); ++part) {
     std::set<std::string> layers;
     file.header(part).channels().layers(layers);
     for (const std::string& layer : layers) {
       if (!has_rgb(file.header(part).channels(), layer + ".")) continue;
-      if (layer.ends_with("Combined")) return {part, layer + "."};
-      if (!found) found = Place{part, layer + "."};
+      found.push_back({part, layer + "."});
+      if (layer.ends_with("Combined")) return found.back();
     }
   }
-  return found.value_or(Place{});
+  return found.size() == 1 ? found.front() : Place{};
 }
 
 // Luminance at every pixel, and differences of colour at every fourth: OpenEXR knows how to put them together.

@@ -52,8 +52,8 @@ struct Size {
 
 // Any of the formats above as its file holds it: display values, 8 bits widened to 16 (n becomes 257 n), or linear
 // light. `layer` names a part of an OpenEXR file, or those channels of its first part whose names begin with it and a
-// dot; empty: the first R, G, B and A that there are. Throws as decode() and load_radiance(), and Error(usage) where a
-// layer is named that the file has not. Values need not be finite.
+// dot; empty: those of the first part that has R, G and B, else of its only layer. Throws as decode() and
+// load_radiance(), and Error(usage) where a layer is named that the file has not. Values need not be finite.
 using AnyImage = std::variant<WordImage, FloatImage>;
 [[nodiscard]] AnyImage load_picture(const std::filesystem::path& file, const std::string& layer = {},
                                     const Limits& limits = {});

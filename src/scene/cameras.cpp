@@ -31,12 +31,13 @@ constexpr float kFittedAzimuth = glm::radians(30.0f);  // from +Z, the front of 
 constexpr float kFittedElevation = glm::radians(20.0f);
 constexpr float kFittedMargin = 1.08f;  // 4 % of the picture's size on each side
 
-glm::dmat3 view_axes(const glm::dvec3& back, const glm::dvec3& up) {
-  const glm::dvec3 right = glm::normalize(glm::cross(up, back));
+// Directions are floats, as in every matrix of the device.
+glm::mat3 view_axes(const glm::vec3& back, const glm::vec3& up) {
+  const glm::vec3 right = glm::normalize(glm::cross(up, back));
   return {right, glm::cross(back, right), back};
 }
 
-CameraInstance placed(const glm::dvec3& eye, const glm::dmat3& axes, float vertical_fov, float z_near,
+CameraInstance placed(const glm::dvec3& eye, const glm::mat3& axes, float vertical_fov, float z_near,
                       const char* name) {
   CameraInstance out;
   out.camera.name = name;
@@ -140,36 +141,37 @@ glm::mat4 orthographic(const Camera& camera, float aspect) {
 
 CameraInstance look_at_camera(const glm::dvec3& eye, const glm::dvec3& target, const glm::vec3& up,
                               float vertical_fov_rad) {
-  const double distance = glm::length(eye - target);
-  if (!(distance > 0.0)) throw Error(ErrorCode::usage, "look-at camera: eye and target coincide; move one of them");
-  const glm::dvec3 back = (eye - target) / distance;
+  const glm::vec3 way(eye - target);
+  const float distance = glm::length(way);
+  if (!(distance > 0.0f)) throw Error(ErrorCode::usage, "look-at camera: eye and target coincide; move one of them");
+  const glm::vec3 back = way / distance;
   // Below 1e-4 of the length of `up`, rounding would decide which way is up.
-  if (!(glm::length(glm::cross(glm::dvec3(up), back)) > 1e-4 * glm::length(glm::dvec3(up)))) {
+  if (!(glm::length(glm::cross(up, back)) > 1e-4f * glm::length(up))) {
     throw Error(ErrorCode::usage, "look-at camera: up is parallel to the view; choose another up");
   }
-  return placed(eye, view_axes(back, up), vertical_fov_rad, kLookAtNear * static_cast<float>(distance), "look-at");
+  return placed(eye, view_axes(back, up), vertical_fov_rad, kLookAtNear * distance, "look-at");
 }
 
 CameraInstance fitted_camera(const WorldAabb& bounds, float aspect) {
   const WorldAabb box = solid(bounds);
   const glm::dvec3 center = 0.5 * (box.min + box.max);
-  const glm::dvec3 back(std::sin(kFittedAzimuth) * std::cos(kFittedElevation), std::sin(kFittedElevation),
-                        std::cos(kFittedAzimuth) * std::cos(kFittedElevation));
-  const glm::dmat3 world_from_view = view_axes(back, {0, 1, 0});
+  const glm::vec3 back(std::sin(kFittedAzimuth) * std::cos(kFittedElevation), std::sin(kFittedElevation),
+                       std::cos(kFittedAzimuth) * std::cos(kFittedElevation));
+  const glm::mat3 world_from_view = view_axes(back, {0, 1, 0});
   const float slope = std::tan(0.5f * kFittedFov) / kFittedMargin;
   Outline horizontal, vertical;
   float front = -std::numeric_limits<float>::infinity();
   for (std::size_t i = 0; i < 8; ++i) {
     const glm::dvec3 corner((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
                             (i & 4) ? box.max.z : box.min.z);
-    const glm::vec3 view(glm::transpose(world_from_view) * (corner - center));
+    const glm::vec3 view = glm::transpose(world_from_view) * glm::vec3(corner - center);
     horizontal[i] = {view.x, view.z};
     vertical[i] = {view.y, view.z};
     front = std::max(front, view.z);
   }
   const float back_off = std::max(distance_to_see(horizontal, slope * aspect), distance_to_see(vertical, slope));
-  const glm::dvec3 stand(centred(horizontal, back_off), centred(vertical, back_off), back_off);
-  const glm::dvec3 eye = center + world_from_view * stand;
+  const glm::vec3 stand(centred(horizontal, back_off), centred(vertical, back_off), back_off);
+  const glm::dvec3 eye = center + glm::dvec3(world_from_view * stand);
   const float z_near = 0.5f * (back_off - front);  // half way to the nearest corner of the box
   return placed(eye, world_from_view, kFittedFov, z_near, "auto");
 }

@@ -16,8 +16,9 @@ namespace velarium::scene {
 namespace {
 
 glm::dmat4 matrix_of(const glm::dvec3& translation, const glm::quat& rotation, const glm::vec3& scale) {
-  const glm::dmat4 turn = glm::mat4_cast(glm::dquat(rotation));
-  return glm::scale(glm::translate(glm::dmat4(1.0), translation) * turn, glm::dvec3(scale));
+  glm::dmat4 matrix(glm::scale(glm::mat4_cast(rotation), scale));
+  matrix[3] = glm::dvec4(translation, 1.0);
+  return matrix;
 }
 
 glm::dmat4 parent_from_node(const Node& node, const Pose& pose) {
@@ -60,19 +61,21 @@ bool is_mirrored(const glm::dmat4& m) {
 }
 
 // A direction of the node in world space; `fallback` where the node is scaled to nothing along it.
-glm::dvec3 world_axis(const glm::dmat4& world_from_node, const glm::dvec3& axis, const glm::dvec3& fallback) {
-  const glm::dvec3 v = glm::dmat3(world_from_node) * axis;
-  const double length = glm::length(v);
-  return length > 0.0 ? v / length : fallback;
+glm::vec3 world_axis(const glm::mat3& world_from_node, const glm::vec3& axis, const glm::vec3& fallback) {
+  const glm::vec3 v = world_from_node * axis;
+  const float length = glm::length(v);
+  return length > 0.0f ? v / length : fallback;
 }
 
-// Keeps the place, where it looks and, as far as a right angle allows, which way is up.
+// Keeps the place, where it looks and, as far as a right angle allows, which way is up. Directions are floats, as in
+// every matrix of the device.
 glm::dmat4 rigid(const glm::dmat4& m) {
-  constexpr double kParallel = 1e-12;  // squared sine of an angle that files, in floats, cannot tell from zero
-  const glm::dvec3 back = world_axis(m, {0, 0, 1}, {0, 0, 1});
-  glm::dvec3 right = glm::cross(world_axis(m, {0, 1, 0}, {0, 1, 0}), back);
+  constexpr float kParallel = 1e-12f;  // squared sine of an angle that single precision cannot tell from zero
+  const glm::mat3 turn(glm::mat4{m});
+  const glm::vec3 back = world_axis(turn, {0, 0, 1}, {0, 0, 1});
+  glm::vec3 right = glm::cross(world_axis(turn, {0, 1, 0}, {0, 1, 0}), back);
   if (glm::dot(right, right) < kParallel) {
-    const glm::dvec3 up = std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
+    const glm::vec3 up = std::abs(back.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(0, 0, -1);
     right = glm::cross(up, back);
   }
   right = glm::normalize(right);
